@@ -1073,8 +1073,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
 //     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts, >>parallel dewall; >>questions,
 //                       >>fringe to >>results of patches, >>regions of insertion; then paradt_mpi.h
-//     flips, tree       >>mesh, >>scene, >>insertion; >>flips, >>history, >>insertion by flips, then >>mending by flips
-//                       to >>repair; or >>Delaunay tree
+//     flips, tree       >>mesh, >>scene, >>insertion; >>nodes; >>flips, >>history, >>insertion by flips, then >>mending
+//                       by flips to >>repair; or >>Delaunay tree
 //     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph; >>lifted hull; >>hull of points to >>hull
 //
 // CONTENTS, with the lines of each section
@@ -1085,10 +1085,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
 //     space                        245   what the predicates know of a set
-//     filters                      196   signs in floating point, with error bounds
+//     filters                      200   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        621   signs in integers
-//     signs                        244   orientation, in-sphere, the perturbation; the public predicates
+//     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
 //     points                       162   the caller's points, records
@@ -1126,10 +1126,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     conflict graph               695   randomized incremental construction in parallel
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
+//     nodes                         65   the memory of all cells ever made
 //     flips                        248   circuits and their flips, in any dimension
-//     history                      170   the dag of all cells, by which points are located
+//     history                      131   the dag of all cells, by which points are located
 //     insertion by flips           308   search, split, collect, flip
-//     Delaunay tree                333   location by the cells that there were
+//     Delaunay tree                296   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -12316,6 +12317,71 @@ PARADT__OPTIONAL paradt_status paradt__hull_facets(const paradt__set *set, const
 }
 #endif // PARADT_NO_HULLS
 
+#if !defined(PARADT_NO_FLIPS) || !defined(PARADT_NO_TREE)
+// ---------------------------------------------------------------------------------------------------------------------
+// >>nodes
+//
+// The memory of what is kept of all cells ever made, by >>history and >>Delaunay tree: nodes of one size, numbered as
+// they are added, and never given back. They stand in blocks, so that they need not be copied when there are more. Only
+// the first block is: it is doubled until it is full, so that few nodes take little memory.
+// Doors: paradt__nodes_free, paradt__nodes_room, paradt__nodes_at.
+
+enum { PARADT__NODES_SHIFT = 12, PARADT__NODES_BLOCK = 1 << PARADT__NODES_SHIFT }; // nodes a block
+
+typedef struct paradt__nodes {
+    size_t width;           // bytes of a node
+    size_t count, capacity; // nodes; who adds some counts them
+    char **block;           // [block_capacity]
+    size_t blocks, block_capacity;
+} paradt__nodes;
+
+// The node of a number. It stays where it is until there are more than a block.
+PARADT__INLINE void *paradt__nodes_at(const paradt__nodes *nodes, paradt_index number) {
+    return nodes->block[number >> PARADT__NODES_SHIFT] + (size_t)(number & (PARADT__NODES_BLOCK - 1)) * nodes->width;
+}
+
+static void paradt__nodes_free(paradt__nodes *nodes, paradt__memory *memory) {
+    size_t i;
+    for (i = 0; i < nodes->blocks; i++) paradt__release(memory, nodes->block[i]);
+    paradt__release(memory, nodes->block);
+    memset(nodes, 0, sizeof *nodes);
+}
+
+// Makes room for some more nodes: in the first block, or by another.
+static paradt_status paradt__nodes_grow(paradt__nodes *nodes, paradt__memory *memory) {
+    enum { FEW = 64 };
+    size_t first = nodes->capacity < FEW ? (size_t)FEW : 2 * nodes->capacity;
+    void *block = nodes->blocks ? nodes->block[0] : NULL, *array = nodes->block;
+    if (nodes->capacity > (size_t)PARADT__NOWHERE - PARADT__NODES_BLOCK) return PARADT_ERROR_TOO_LARGE;
+    if (nodes->blocks == nodes->block_capacity) {
+        size_t more = 2 * nodes->block_capacity + 4;
+        if (!paradt__grow(memory, &array, nodes->blocks, more, sizeof *nodes->block)) return PARADT_ERROR_MEMORY;
+        nodes->block = (char **)array;
+        nodes->block_capacity = more;
+    }
+    if (nodes->capacity < PARADT__NODES_BLOCK) {
+        if (!paradt__grow(memory, &block, nodes->count, first, nodes->width)) return PARADT_ERROR_MEMORY;
+        nodes->block[0] = (char *)block;
+        nodes->blocks = 1;
+        nodes->capacity = first;
+        return PARADT_OK;
+    }
+    block = paradt__alloc_filled(memory, PARADT__NODES_BLOCK, nodes->width);
+    if (!block) return PARADT_ERROR_MEMORY;
+    nodes->block[nodes->blocks++] = (char *)block;
+    nodes->capacity += PARADT__NODES_BLOCK;
+    return PARADT_OK;
+}
+
+// Makes room for so many more nodes.
+PARADT__INLINE paradt_status paradt__nodes_room(paradt__nodes *nodes, size_t more, paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    while (!PARADT__LIKELY(nodes->count + more <= nodes->capacity) && !status)
+        status = paradt__nodes_grow(nodes, memory);
+    return status;
+}
+#endif
+
 #ifndef PARADT_NO_FLIPS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>flips
@@ -12582,8 +12648,8 @@ PARADT__INLINE paradt_status paradt__flip(paradt__flipper *f, int corners) {
 // places are concerned, each 16 times larger than the one before: the expected number of such points is a constant for
 // each round, and the number of rounds is O(log n), as in a random order.
 //
-// A node has the vertices of its cell, which stay, while its place is used again. Nodes stand in blocks, so that they
-// need not be copied when there are more. Siblings follow each other and have the same parent.
+// A node has the vertices of its cell, which stay, while its place is used again. Siblings follow each other and have
+// the same parent.
 // After Guibas, Knuth, Sharir, "Randomized incremental construction of Delaunay and Voronoi diagrams", Algorithmica 7,
 // 1992, and Edelsbrunner and Shah, Algorithmica 15, 1996; the thesis, 3.1.
 // Doors: paradt__history_*.
@@ -12591,54 +12657,15 @@ PARADT__INLINE paradt_status paradt__flip(paradt__flipper *f, int corners) {
 enum {
     PARADT__NODE_PARENT, // the parent, or PARADT__OPEN: a first cell
     PARADT__NODE_CHILD,  // the first child; or, of a living cell, -1 - its place
-    PARADT__NODE_VERTICES,
-    PARADT__NODE_SHIFT = 14 // a block has 2^14 nodes
+    PARADT__NODE_VERTICES
 };
 
-typedef struct paradt__history {
-    size_t width;         // of a node
-    size_t count;         // nodes
-    paradt_index **block; // [block_capacity]
-    size_t blocks, block_capacity;
-} paradt__history;
-
-static void paradt__history_free(paradt__history *h, paradt__memory *memory) {
-    size_t i;
-    for (i = 0; i < h->blocks; i++) paradt__release(memory, h->block[i]);
-    paradt__release(memory, h->block);
-    memset(h, 0, sizeof *h);
-}
-
-PARADT__INLINE paradt_index *paradt__history_node(const paradt__history *h, paradt_index node) {
-    return h->block[node >> PARADT__NODE_SHIFT] + (size_t)(node & ((1 << PARADT__NODE_SHIFT) - 1)) * h->width;
-}
-
-// Makes room for more nodes.
-static paradt_status paradt__history_grow(paradt__history *h, size_t more, paradt__memory *memory) {
-    size_t most = (size_t)PARADT__NOWHERE;
-    if (more > most - h->count) return PARADT_ERROR_TOO_LARGE;
-    while (h->blocks << PARADT__NODE_SHIFT < h->count + more) {
-        void *array = h->block;
-        if (h->blocks == h->block_capacity) {
-            if (!paradt__grow(memory, &array, h->blocks, 2 * h->blocks + 16, sizeof *h->block))
-                return PARADT_ERROR_MEMORY;
-            h->block = (paradt_index **)array;
-            h->block_capacity = 2 * h->blocks + 16;
-        }
-        array = paradt__alloc_filled(memory, (size_t)1 << PARADT__NODE_SHIFT, h->width * sizeof(paradt_index));
-        if (!array) return PARADT_ERROR_MEMORY;
-        h->block[h->blocks++] = (paradt_index *)array;
-    }
-    return PARADT_OK;
-}
-
-PARADT__INLINE paradt_status paradt__history_room(paradt__history *h, size_t more, paradt__memory *memory) {
-    if (PARADT__LIKELY(h->count + more <= h->blocks << PARADT__NODE_SHIFT)) return PARADT_OK;
-    return paradt__history_grow(h, more, memory);
+PARADT__INLINE paradt_index *paradt__history_node(const paradt__nodes *h, paradt_index node) {
+    return (paradt_index *)paradt__nodes_at(h, node);
 }
 
 // Adds a living cell, for which there is room. Returns its node.
-PARADT__INLINE paradt_index paradt__history_add(paradt__history *h, paradt_index parent, paradt_index place,
+PARADT__INLINE paradt_index paradt__history_add(paradt__nodes *h, paradt_index parent, paradt_index place,
                                                 const paradt_index *vertices, int corners) {
     paradt_index node = (paradt_index)h->count++, *row = paradt__history_node(h, node);
     row[PARADT__NODE_PARENT] = parent;
@@ -12670,8 +12697,8 @@ PARADT__INLINE int paradt__history_contains(paradt__scene *scene, const paradt_i
 }
 
 // The first cell, or ghost on one of its facets, that contains x
-static paradt_index paradt__history_root(const paradt__history *h, paradt__scene *scene, const double *x) {
-    int corners = (int)h->width - PARADT__NODE_VERTICES;
+static paradt_index paradt__history_root(const paradt__nodes *h, paradt__scene *scene, const double *x) {
+    int corners = (int)(h->width / sizeof(paradt_index)) - PARADT__NODE_VERTICES;
     paradt_index node = 0;
     while (node < corners && !paradt__history_contains(scene, paradt__history_node(h, node), x, corners)) node++;
     return node; // the last need not be asked
@@ -12698,7 +12725,7 @@ PARADT__INLINE int paradt__history_between(paradt__scene *scene, const paradt_in
 // circuit's relation to a combination of x by all points of the circuit with no negative coefficient: those of Q fall,
 // and the first to become zero tells which vertex the cell that contains x does not have. So two of the children are
 // compared by the facet between them, and the best of all contains x.
-PARADT__INLINE paradt_index paradt__history_child(const paradt__history *h, paradt__scene *scene, paradt_index first,
+PARADT__INLINE paradt_index paradt__history_child(const paradt__nodes *h, paradt__scene *scene, paradt_index first,
                                                   const double *x, int corners) {
     const paradt_index *row = paradt__history_node(h, first), *next;
     paradt_index parent = row[PARADT__NODE_PARENT], best = first, node;
@@ -12716,7 +12743,7 @@ PARADT__INLINE paradt_index paradt__history_child(const paradt__history *h, para
 
 // Finds the living cell, or ghost, that contains x. Returns its place; or PARADT__OPEN where all that is known is that
 // x is beyond a hull facet that a point was connected to. node: where to start
-PARADT__INLINE paradt_index paradt__history_locate(const paradt__history *h, paradt__scene *scene, paradt_index node,
+PARADT__INLINE paradt_index paradt__history_locate(const paradt__nodes *h, paradt__scene *scene, paradt_index node,
                                                    const double *x, int corners) {
     const paradt_index *row = paradt__history_node(h, node), *parent;
     while (!paradt__history_contains(scene, row, x, corners)) {
@@ -12768,7 +12795,7 @@ enum { PARADT__NO_SIGNS = 0xffff }; // for the mask of negative signs: in confli
 
 typedef struct paradt__flips {
     paradt__flipper flipper;
-    paradt__history history;
+    paradt__nodes history;
     paradt__flip_place *at; // [places] by place
     size_t places;
     paradt__list facets; // to be looked at: pairs, a handle and the node of its cell, which may be dead
@@ -12781,7 +12808,7 @@ typedef struct paradt__flips {
 static paradt_status paradt__flips_room(paradt__flips *f, size_t made) {
     paradt__memory *memory = f->flipper.build.memory;
     size_t capacity = f->flipper.build.scene.mesh.capacity;
-    paradt_status status = paradt__history_room(&f->history, made, memory);
+    paradt_status status = paradt__nodes_room(&f->history, made, memory);
     if (!status)
         status = paradt__list_room(&f->facets.items, f->facets.count, &f->facets.capacity, f->facets.count + 2 * made,
                                    memory);
@@ -13006,7 +13033,7 @@ static paradt_status paradt__flips_begin(paradt__flips *f) {
     if (!status) status = paradt__insertion_first_cells(build);
     if (status) return status;
     build->inserted = corners;
-    f->history.width = corners + PARADT__NODE_VERTICES;
+    f->history.width = (corners + PARADT__NODE_VERTICES) * sizeof(paradt_index);
     status = paradt__flips_room(f, corners + 1);
     for (place = 0; place < mesh->count && !status; place++)
         f->at[place].node = paradt__history_add(&f->history, PARADT__OPEN, (paradt_index)place,
@@ -13031,7 +13058,7 @@ PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt
     if (!status) status = paradt__flips_go(&f, progress);
     stats->history_nodes = f.history.count;
     *counters = build->scene.space.counters;
-    paradt__history_free(&f.history, memory);
+    paradt__nodes_free(&f.history, memory);
     paradt__list_free(&f.facets, memory);
     paradt__release(memory, f.at);
     paradt__flipper_rest(&f.flipper);
@@ -13081,17 +13108,12 @@ typedef struct paradt__tree_node {
     paradt__tag seen;                  // the last search that has looked at the node
 } paradt__tree_node;
 
-enum { PARADT__TREE_SHIFT = 12, PARADT__TREE_BLOCK = 1 << PARADT__TREE_SHIFT }; // nodes a block
-
 typedef struct paradt__tree {
     paradt__memory *memory;
     int corners;
-    size_t width;  // bytes of a node and its row
-    char **blocks; // [blocks_capacity] nodes never move, except for those of the first block, which grows
-    size_t blocks_count, blocks_capacity;
-    size_t count, capacity; // nodes
-    size_t roots;           // of them; they come first
-    paradt_index *at;       // [places] the nodes of the cells in the mesh
+    paradt__nodes nodes; // each with its row behind it
+    size_t roots;        // of them; they come first
+    paradt_index *at;    // [places] the nodes of the cells in the mesh
     size_t places;
     paradt__list waiting; // nodes that the search has yet to look at
     paradt__tag searches; // so far; numbers them
@@ -13099,8 +13121,7 @@ typedef struct paradt__tree {
 } paradt__tree;
 
 PARADT__INLINE paradt__tree_node *paradt__tree_at(const paradt__tree *tree, paradt_index node) {
-    char *block = tree->blocks[node >> PARADT__TREE_SHIFT];
-    return (paradt__tree_node *)(void *)(block + (size_t)(node & (PARADT__TREE_BLOCK - 1)) * tree->width);
+    return (paradt__tree_node *)paradt__nodes_at(&tree->nodes, node);
 }
 
 PARADT__INLINE paradt_index *paradt__tree_row(const paradt__tree_node *node) {
@@ -13108,43 +13129,13 @@ PARADT__INLINE paradt_index *paradt__tree_row(const paradt__tree_node *node) {
 }
 
 static void paradt__tree_free(paradt__tree *tree) {
-    size_t i;
-    for (i = 0; i < tree->blocks_count; i++) paradt__release(tree->memory, tree->blocks[i]);
-    paradt__release(tree->memory, tree->blocks);
+    paradt__nodes_free(&tree->nodes, tree->memory);
     paradt__release(tree->memory, tree->at);
     paradt__list_free(&tree->waiting, tree->memory);
 }
 
-// Makes room for some more nodes: doubles the first block until it is full, then adds blocks.
-static paradt_status paradt__tree_grow(paradt__tree *tree) {
-    enum { FEW = 64 };
-    size_t first = tree->capacity < FEW ? (size_t)FEW : 2 * tree->capacity;
-    void *block = tree->blocks_count ? tree->blocks[0] : NULL, *blocks = tree->blocks;
-    if (tree->capacity > (size_t)PARADT__NOWHERE - PARADT__TREE_BLOCK) return PARADT_ERROR_TOO_LARGE;
-    if (tree->blocks_count == tree->blocks_capacity) {
-        size_t more = 2 * tree->blocks_capacity + 4;
-        if (!paradt__grow(tree->memory, &blocks, tree->blocks_count, more, sizeof *tree->blocks))
-            return PARADT_ERROR_MEMORY;
-        tree->blocks = (char **)blocks;
-        tree->blocks_capacity = more;
-    }
-    if (tree->capacity < PARADT__TREE_BLOCK) {
-        if (!paradt__grow(tree->memory, &block, tree->count, first, tree->width)) return PARADT_ERROR_MEMORY;
-        tree->blocks[0] = (char *)block;
-        tree->blocks_count = 1;
-        tree->capacity = first;
-        return PARADT_OK;
-    }
-    block = paradt__alloc_filled(tree->memory, PARADT__TREE_BLOCK, tree->width);
-    if (!block) return PARADT_ERROR_MEMORY;
-    tree->blocks[tree->blocks_count++] = (char *)block;
-    tree->capacity += PARADT__TREE_BLOCK;
-    return PARADT_OK;
-}
-
 // Makes room for so many more nodes, and for the node at each place of the mesh.
 static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *mesh, size_t more) {
-    paradt_status status = PARADT_OK;
     void *at = tree->at;
     if (!PARADT__LIKELY(mesh->count <= tree->places)) {
         if (!paradt__grow(tree->memory, &at, tree->places, mesh->capacity, sizeof *tree->at))
@@ -13152,8 +13143,7 @@ static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *m
         tree->at = (paradt_index *)at;
         tree->places = mesh->capacity;
     }
-    while (!PARADT__LIKELY(tree->count + more <= tree->capacity) && !status) status = paradt__tree_grow(tree);
-    return status;
+    return paradt__nodes_room(&tree->nodes, more, tree->memory);
 }
 
 // Makes a node that of the cell at a place.
@@ -13177,14 +13167,14 @@ static paradt_status paradt__tree_begin(paradt__tree *tree, const paradt__mesh *
     memset(tree, 0, sizeof *tree);
     tree->memory = memory;
     tree->corners = mesh->corners;
-    tree->width = sizeof(paradt__tree_node) + (size_t)mesh->corners * sizeof(paradt_index);
+    tree->nodes.width = sizeof(paradt__tree_node) + (size_t)mesh->corners * sizeof(paradt_index);
     status = paradt__tree_room(tree, mesh, mesh->count);
-    for (; tree->count < mesh->count && !status; tree->count++) {
-        PARADT_ASSERT(mesh->vertices[tree->count * (size_t)mesh->corners] != PARADT__DEAD);
-        *paradt__tree_at(tree, (paradt_index)tree->count) = root;
-        paradt__tree_fill(tree, mesh, (paradt_index)tree->count, (paradt_index)tree->count);
+    for (; tree->nodes.count < mesh->count && !status; tree->nodes.count++) {
+        PARADT_ASSERT(mesh->vertices[tree->nodes.count * (size_t)mesh->corners] != PARADT__DEAD);
+        *paradt__tree_at(tree, (paradt_index)tree->nodes.count) = root;
+        paradt__tree_fill(tree, mesh, (paradt_index)tree->nodes.count, (paradt_index)tree->nodes.count);
     }
-    tree->roots = tree->count;
+    tree->roots = tree->nodes.count;
     return status;
 }
 
@@ -13220,7 +13210,7 @@ static void paradt__tree_begin_search(paradt__tree *tree) {
     size_t i;
     tree->waiting.count = 0;
     if (PARADT__LIKELY(++tree->searches)) return;
-    for (i = 0; i < tree->count; i++) paradt__tree_at(tree, (paradt_index)i)->seen = 0;
+    for (i = 0; i < tree->nodes.count; i++) paradt__tree_at(tree, (paradt_index)i)->seen = 0;
     tree->searches = 1;
 }
 
@@ -13296,7 +13286,7 @@ PARADT__NOINLINE paradt_status paradt__tree_record(paradt__tree *tree, const par
                                                    paradt_index point) {
     const paradt__mesh *mesh = &build->scene.mesh;
     const paradt__update *update = &build->update;
-    size_t i, first = tree->count;
+    size_t i, first = tree->nodes.count;
     paradt_status status = paradt__tree_room(tree, mesh, update->made_count);
     if (status) return status;
     PARADT_ASSERT(update->made_count == 0 || update->made_count == build->rim_count);
@@ -13309,7 +13299,7 @@ PARADT__NOINLINE paradt_status paradt__tree_record(paradt__tree *tree, const par
     }
     for (i = 0; i < update->made_count; i++)
         paradt__tree_fill(tree, mesh, (paradt_index)(first + i), paradt__mesh_cell(mesh, update->made[i]));
-    tree->count += update->made_count;
+    tree->nodes.count += update->made_count;
     return PARADT_OK;
 }
 
@@ -13337,8 +13327,8 @@ PARADT__HOT paradt_status paradt__tree_insert_all(paradt__tree *tree, paradt__in
     while (build->inserted < build->count && !status) {
         paradt_index point = paradt__insertion_point(build, build->inserted), cell;
         const double *x = paradt__scene_record(&build->scene, point);
-        if (tree->count + tree->looked >= due) {
-            due = tree->count + tree->looked + REPORTED;
+        if (tree->nodes.count + tree->looked >= due) {
+            due = tree->nodes.count + tree->looked + REPORTED;
             if (paradt__progress_cancels(progress, (double)build->inserted / (double)build->count))
                 return PARADT_ERROR_CANCELLED;
         }
@@ -13363,7 +13353,7 @@ PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__
     if (!status) {
         status = paradt__tree_begin(&tree, &build.scene.mesh, memory);
         if (!status) status = paradt__tree_insert_all(&tree, &build, progress);
-        stats->history_nodes = tree.count;
+        stats->history_nodes = tree.nodes.count;
         paradt__tree_free(&tree);
     }
     *counters = build.scene.space.counters;
