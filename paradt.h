@@ -2269,26 +2269,26 @@ PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, con
 
 // Returns the determinant of n rows by elimination with pivots, or 0 if there is no pivot. Overwrites a.
 PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
-    double det = 1;
+    double *row[PARADT__MAX_ROWS], det = 1;
+    for (int i = 0; i < n; i++) row[i] = a[i];
     for (int t = 0; t < n; t++) {
         int pivot = t;
-        for (int i = t + 1; i < n; i++)
-            if (paradt__abs(a[i][t]) > paradt__abs(a[pivot][t])) pivot = i;
-        // a pivot so small is noise of underflow, and its reciprocal would overflow
-        if (!(paradt__abs(a[pivot][t]) > 1e-300)) return 0;
-        if (pivot != t) {
-            det = -det;
-            for (int j = t; j < n; j++) {
-                double swap = a[t][j];
-                a[t][j] = a[pivot][j];
-                a[pivot][j] = swap;
-            }
-        }
-        det *= a[t][t];
-        double inverse = 1 / a[t][t];
+        double most = paradt__abs(row[t][t]), inverse;
+        const double *top;
         for (int i = t + 1; i < n; i++) {
-            double m = a[i][t] * inverse;
-            for (int j = t + 1; j < n; j++) a[i][j] -= m * a[t][j];
+            double size = paradt__abs(row[i][t]);
+            pivot = size > most ? i : pivot;
+            most = size > most ? size : most;
+        }
+        // a pivot so small is noise of underflow, and its reciprocal would overflow
+        if (!(most > 1e-300)) return 0;
+        top = row[pivot];
+        row[pivot] = row[t];
+        det *= pivot != t ? -top[t] : top[t];
+        inverse = 1 / top[t];
+        for (int i = t + 1; i < n; i++) {
+            double m = row[i][t] * inverse;
+            for (int j = t + 1; j < n; j++) row[i][j] -= m * top[j];
         }
     }
     return det;
