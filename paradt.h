@@ -233,10 +233,10 @@
 //
 //     paradt_repair(&t, &points, &options, &stats); // t: of these points where they were a step before
 //
-// Cells that are still right stay. Others are flipped, which is all that is needed in the plane; in more dimensions
-// flips can get stuck, and there points are taken out and inserted again. Where that would take longer than to build
-// anew, it is built anew: stats.rebuilt says so. The result is in each case that of paradt_triangulate. It pays where
-// points move by up to a hundredth of their spacing in space, by some hundredths in the plane.
+// Cells that are still right stay. Others are flipped; where flips get stuck, which is rare in the plane, points are
+// taken out and inserted again. Where that would take longer than to build anew, it is built anew: stats.rebuilt says
+// so. The result is in each case that of paradt_triangulate. It pays where points move by up to a hundredth of their
+// spacing in space, by some hundredths in the plane.
 //
 //
 // MEASURES
@@ -458,8 +458,8 @@
 //                       simplex wall         paradt__wall_raise, begun by paradt__wall_seed where no facet crosses it
 //                       AFL alpha, 1, 2      struct paradt__wall; paradt__wall_activate says which one a facet enters
 //                       recursion            paradt__wall_build, from paradt__dewall
-//     2     local improvement by flips       paradt_repair: >>mending by flips (paradt__mend_look,
-//     paradt__mend_improve) 2.3   incremental flips   search       paradt__history_locate
+//     2     local improvement by flips       paradt_repair: paradt__mend_look, _improve; >>mending by holes
+//     2.3   incremental flips   search       paradt__history_locate
 //                               collect      paradt__flip_collect: the circuit, its star, equal links
 //                               connect      paradt__flips_connect; a point inside: paradt__flips_begin_point
 //                               flip         paradt__flip, in any dimension, for all kinds of flips
@@ -821,10 +821,11 @@ typedef struct paradt_repair_stats {
 // that of paradt_triangulate, in less time where the moves are small. Cells that are still right stay; most others are
 // replaced by flips.
 //   triangulation  with neighbors, from paradt_triangulate or paradt_repair; what was done to its arrays since must
-//                  have left a valid triangulation of the points as they were then. A triangulation that is empty, has
-//                  no neighbors or another dimension than the points is built anew, and so is one with many cells
-//                  turned over or many facets not locally regular (in space a twelfth as many as cells), or where many
-//                  points become or cease to be hidden. Its arrays and stats are replaced.
+//                  have left a valid triangulation of the points as they were then. One that paradt_repair has left
+//                  empty, or that has no neighbors or another dimension than the points, is built anew, and so is one
+//                  with many cells turned over or many facets not locally regular (in space a twelfth as many as
+//                  cells), or where more than a quarter of the points are hidden or duplicates. Its arrays and stats
+//                  are replaced.
 //   points         as many as before, at their new places
 //   options        NULL: the defaults. memory_limit, progress, user and flags are used, PARADT_FACETS for what the
 //                  neighbors hold and are to hold; not with PARADT_NO_NEIGHBORS. All memory comes from the
@@ -1072,8 +1073,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
 //     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts, >>parallel dewall; >>questions,
 //                       >>fringe to >>results of patches, >>regions of insertion; then paradt_mpi.h
-//     flips, tree       >>mesh, >>scene, >>insertion; >>flips, >>history, >>insertion by flips, then >>mending by flips
-//                       to >>repair; or >>Delaunay tree
+//     flips, tree       >>mesh, >>scene, >>insertion; >>nodes; >>flips, >>history, >>insertion by flips, then >>mending
+//                       by flips to >>repair; or >>Delaunay tree
 //     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph; >>lifted hull; >>hull of points to >>hull
 //
 // CONTENTS, with the lines of each section
@@ -1083,11 +1084,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
-//     space                        235   what the predicates know of a set
-//     filters                      196   signs in floating point, with error bounds
+//     space                        245   what the predicates know of a set
+//     filters                      200   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        621   signs in integers
-//     signs                        244   orientation, in-sphere, the perturbation; the public predicates
+//     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
 //     points                       162   the caller's points, records
@@ -1118,17 +1119,18 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
-//     inserting                    211   insertions from begin to end
+//     inserting                    213   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
 //     ridge table                  162   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               700   randomized incremental construction in parallel
+//     conflict graph               695   randomized incremental construction in parallel
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
+//     nodes                         65   the memory of all cells ever made
 //     flips                        248   circuits and their flips, in any dimension
-//     history                      170   the dag of all cells, by which points are located
+//     history                      131   the dag of all cells, by which points are located
 //     insertion by flips           308   search, split, collect, flip
-//     Delaunay tree                333   location by the cells that there were
+//     Delaunay tree                296   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                        94   cells that are not a region's own alone
@@ -1147,12 +1149,12 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   use
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
-//     hull faces                   341   planes, extreme points, measures
+//     hull faces                   336   planes, extreme points, measures
 //     hull                         270   the entry
 //     mending by flips             263   what has moved, by flips
-//     mending by holes             444   what flips leave, by small triangulations
+//     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       596   the entry of repairing
+//     repair                       612   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
@@ -1897,7 +1899,7 @@ static double paradt__now(void) {
 // geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
 // fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__compare, paradt__rounding.
+// paradt__space_end, paradt__counters_add, paradt__compare, paradt__rounding.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -1906,6 +1908,16 @@ static double paradt__now(void) {
 typedef struct paradt__counters {
     uint64_t orient_calls, insphere_calls, exact_small, exact_fixed, exact_general, perturbed;
 } paradt__counters;
+
+// Adds what others have counted.
+PARADT__OPTIONAL void paradt__counters_add(paradt__counters *counters, const paradt__counters *more) {
+    counters->orient_calls += more->orient_calls;
+    counters->insphere_calls += more->insphere_calls;
+    counters->exact_small += more->exact_small;
+    counters->exact_fixed += more->exact_fixed;
+    counters->exact_general += more->exact_general;
+    counters->perturbed += more->perturbed;
+}
 
 // The exponents of some doubles. If all of them are 0, unit > top.
 typedef struct paradt__range {
@@ -2257,25 +2269,26 @@ PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, con
 
 // Returns the determinant of n rows by elimination with pivots, or 0 if there is no pivot. Overwrites a.
 PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
-    double det = 1;
+    double *row[PARADT__MAX_ROWS], det = 1;
+    for (int i = 0; i < n; i++) row[i] = a[i];
     for (int t = 0; t < n; t++) {
         int pivot = t;
-        for (int i = t + 1; i < n; i++)
-            if (paradt__abs(a[i][t]) > paradt__abs(a[pivot][t])) pivot = i;
-        // a pivot so small is noise of underflow, and its reciprocal would overflow
-        if (!(paradt__abs(a[pivot][t]) > 1e-300)) return 0;
-        if (pivot != t) {
-            det = -det;
-            for (int j = t; j < n; j++) {
-                double swap = a[t][j];
-                a[t][j] = a[pivot][j];
-                a[pivot][j] = swap;
-            }
-        }
-        det *= a[t][t];
+        double most = paradt__abs(row[t][t]), inverse;
+        const double *top;
         for (int i = t + 1; i < n; i++) {
-            double m = a[i][t] / a[t][t];
-            for (int j = t + 1; j < n; j++) a[i][j] -= m * a[t][j];
+            double size = paradt__abs(row[i][t]);
+            pivot = size > most ? i : pivot;
+            most = size > most ? size : most;
+        }
+        // a pivot so small is noise of underflow, and its reciprocal would overflow
+        if (!(most > 1e-300)) return 0;
+        top = row[pivot];
+        row[pivot] = row[t];
+        det *= pivot != t ? -top[t] : top[t];
+        inverse = 1 / top[t];
+        for (int i = t + 1; i < n; i++) {
+            double m = row[i][t] * inverse;
+            for (int j = t + 1; j < n; j++) row[i][j] -= m * top[j];
         }
     }
     return det;
@@ -2285,23 +2298,26 @@ PARADT__INLINE double paradt__eliminate(double (*a)[PARADT__MAX_ROWS], int n) {
 // coordinates
 PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, const double *base, int n, int k,
                                       int d) {
-    double a[PARADT__MAX_ROWS][PARADT__MAX_ROWS], largest[PARADT__MAX_ROWS] = {0}, det, product = 1;
+    const paradt__bounds *b = n == k ? &s->orient[k] : &s->insphere[k];
+    double a[PARADT__MAX_ROWS][PARADT__MAX_ROWS], size[PARADT__MAX_ROWS], det, largest = 1;
     PARADT_ASSERT(n <= PARADT__MAX_ROWS && (n == k || n == k + 1) && k <= d);
     for (int i = 0; i < n; i++) {
-        double lift = 0, size;
+        double lift = 0;
         for (int j = 0; j < k; j++) {
             a[i][j] = p[i][j] - base[j];
-            largest[j] = paradt__larger(largest[j], paradt__abs(a[i][j]));
             lift += a[i][j] * a[i][j];
         }
-        if (n == k) continue;
-        a[i][k] = paradt__lift_rest(lift, &size, k, d, s->weighted, p[i], base);
-        largest[k] = paradt__larger(largest[k], size);
+        if (n > k) a[i][k] = paradt__lift_rest(lift, &size[i], k, d, s->weighted, p[i], base);
     }
     det = paradt__eliminate(a, n);
-    for (int j = 0; j < n; j++) product *= largest[j];
     if (n > k && k & 1) det = -det;
-    return paradt__decide(s, det, product, n == k ? &s->orient[k] : &s->insphere[k]);
+    if (paradt__abs(det) > b->certain) return det > 0 ? 1 : -1;
+    for (int j = 0; j < k; j++) { // elimination has overwritten the rows
+        double most = 0;
+        for (int i = 0; i < n; i++) most = paradt__larger(most, paradt__abs(p[i][j] - base[j]));
+        largest *= most;
+    }
+    return paradt__decide(s, det, n > k ? largest * paradt__largest(size, n) : largest, b);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -3091,6 +3107,7 @@ PARADT__INLINE int paradt__orient_any(paradt__space *s, const double *const *p, 
 static int paradt__orient(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3)) return paradt__orient_any(s, p, 3);
     if (s->dim == 2) return paradt__orient_any(s, p, 2);
+    if (PARADT__IS(s->dim, 5)) return paradt__orient_any(s, p, 5);
     return paradt__orient_any(s, p, s->dim);
 }
 
@@ -3111,6 +3128,7 @@ PARADT__INLINE int paradt__insphere_any(paradt__space *s, const double *const *p
 static int paradt__insphere(paradt__space *s, const double *const *p) {
     if (PARADT__IS(s->dim, 3) && s->ambient == 3) return paradt__insphere_any(s, p, 3, 3);
     if (s->dim == 2 && s->ambient == 2) return paradt__insphere_any(s, p, 2, 2);
+    if (PARADT__IS(s->dim, 5) && s->ambient == 5) return paradt__insphere_any(s, p, 5, 5);
     return paradt__insphere_any(s, p, s->dim, s->ambient);
 }
 
@@ -5072,11 +5090,11 @@ enum {
 // Marks of a cell
 enum {
     PARADT__CONFLICT = 1, // in conflict with the point that is being inserted
-    PARADT__WAITING = 2,  // in the list of cells to be asked about
+    PARADT__WAITING = 2,  // in the list of cells to be asked about; in mending: of the circuit that is to be flipped
     PARADT__ASKED = 4,    // known to be one of T(P)
-    PARADT__LISTED = 8,   // in the list of the fringe; not kept by all regions
+    PARADT__LISTED = 8,   // in the list of the fringe; not kept by all regions; in mending: to be in a hole
     PARADT__DROPPED = 16, // not kept in the end; used by ranks
-    PARADT__WRONG = 32,   // in the list of cells that are not of T(P)
+    PARADT__WRONG = 32,   // in the list of cells that are not of T(P); in mending: turned over
     PARADT__OUTSIDE = 64  // known not to be in conflict with the point that is being inserted
 };
 
@@ -10767,8 +10785,9 @@ PARADT__OPTIONAL void paradt__insertion_end(paradt__insertion *build) {
     paradt__mesh_free(&build->scene.mesh, build->memory);
 }
 
-// Moves dim + 1 points that span the space to the front of the order.
-static void paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
+// Moves dim + 1 points that span the space to the front of the order. Returns how many; fewer where the points do not
+// span it, which those of a whole set do.
+static int paradt__insertion_span_first(const paradt__set *set, paradt_index *order, paradt__counters *counters) {
     paradt_index basis[PARADT_MAX_DIM + 1];
     int i, count = paradt__set_basis(set, order, 0, basis, NULL, counters, NULL);
     for (i = 0; i < count; i++) {
@@ -10777,6 +10796,7 @@ static void paradt__insertion_span_first(const paradt__set *set, paradt_index *o
         order[at] = order[i];
         order[i] = basis[i];
     }
+    return count;
 }
 
 typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index point);
@@ -12185,12 +12205,7 @@ static void paradt__graph_end(paradt__graph *g, paradt__counters *counters) {
         paradt__list_free(&task->spare, g->memory);
         paradt__list_free(&task->settled, g->memory);
         paradt__release(g->memory, task->merged);
-        counters->orient_calls += task->space.counters.orient_calls;
-        counters->insphere_calls += task->space.counters.insphere_calls;
-        counters->exact_small += task->space.counters.exact_small;
-        counters->exact_fixed += task->space.counters.exact_fixed;
-        counters->exact_general += task->space.counters.exact_general;
-        counters->perturbed += task->space.counters.perturbed;
+        paradt__counters_add(counters, &task->space.counters);
     }
     paradt__release(g->memory, g->task);
     paradt__release(g->memory, g->rank);
@@ -12373,6 +12388,71 @@ PARADT__OPTIONAL paradt_status paradt__hull_facets(const paradt__set *set, const
     return status;
 }
 #endif // PARADT_NO_HULLS
+
+#if !defined(PARADT_NO_FLIPS) || !defined(PARADT_NO_TREE)
+// ---------------------------------------------------------------------------------------------------------------------
+// >>nodes
+//
+// The memory of what is kept of all cells ever made, by >>history and >>Delaunay tree: nodes of one size, numbered as
+// they are added, and never given back. They stand in blocks, so that they need not be copied when there are more. Only
+// the first block is: it is doubled until it is full, so that few nodes take little memory.
+// Doors: paradt__nodes_free, paradt__nodes_room, paradt__nodes_at.
+
+enum { PARADT__NODES_SHIFT = 12, PARADT__NODES_BLOCK = 1 << PARADT__NODES_SHIFT }; // nodes a block
+
+typedef struct paradt__nodes {
+    size_t width;           // bytes of a node
+    size_t count, capacity; // nodes; who adds some counts them
+    char **block;           // [block_capacity]
+    size_t blocks, block_capacity;
+} paradt__nodes;
+
+// The node of a number. It stays where it is until there are more than a block.
+PARADT__INLINE void *paradt__nodes_at(const paradt__nodes *nodes, paradt_index number) {
+    return nodes->block[number >> PARADT__NODES_SHIFT] + (size_t)(number & (PARADT__NODES_BLOCK - 1)) * nodes->width;
+}
+
+static void paradt__nodes_free(paradt__nodes *nodes, paradt__memory *memory) {
+    size_t i;
+    for (i = 0; i < nodes->blocks; i++) paradt__release(memory, nodes->block[i]);
+    paradt__release(memory, nodes->block);
+    memset(nodes, 0, sizeof *nodes);
+}
+
+// Makes room for some more nodes: in the first block, or by another.
+static paradt_status paradt__nodes_grow(paradt__nodes *nodes, paradt__memory *memory) {
+    enum { FEW = 64 };
+    size_t first = nodes->capacity < FEW ? (size_t)FEW : 2 * nodes->capacity;
+    void *block = nodes->blocks ? nodes->block[0] : NULL, *array = nodes->block;
+    if (nodes->capacity > (size_t)PARADT__NOWHERE - PARADT__NODES_BLOCK) return PARADT_ERROR_TOO_LARGE;
+    if (nodes->blocks == nodes->block_capacity) {
+        size_t more = 2 * nodes->block_capacity + 4;
+        if (!paradt__grow(memory, &array, nodes->blocks, more, sizeof *nodes->block)) return PARADT_ERROR_MEMORY;
+        nodes->block = (char **)array;
+        nodes->block_capacity = more;
+    }
+    if (nodes->capacity < PARADT__NODES_BLOCK) {
+        if (!paradt__grow(memory, &block, nodes->count, first, nodes->width)) return PARADT_ERROR_MEMORY;
+        nodes->block[0] = (char *)block;
+        nodes->blocks = 1;
+        nodes->capacity = first;
+        return PARADT_OK;
+    }
+    block = paradt__alloc_filled(memory, PARADT__NODES_BLOCK, nodes->width);
+    if (!block) return PARADT_ERROR_MEMORY;
+    nodes->block[nodes->blocks++] = (char *)block;
+    nodes->capacity += PARADT__NODES_BLOCK;
+    return PARADT_OK;
+}
+
+// Makes room for so many more nodes.
+PARADT__INLINE paradt_status paradt__nodes_room(paradt__nodes *nodes, size_t more, paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    while (!PARADT__LIKELY(nodes->count + more <= nodes->capacity) && !status)
+        status = paradt__nodes_grow(nodes, memory);
+    return status;
+}
+#endif
 
 #ifndef PARADT_NO_FLIPS
 // ---------------------------------------------------------------------------------------------------------------------
@@ -12640,8 +12720,8 @@ PARADT__INLINE paradt_status paradt__flip(paradt__flipper *f, int corners) {
 // places are concerned, each 16 times larger than the one before: the expected number of such points is a constant for
 // each round, and the number of rounds is O(log n), as in a random order.
 //
-// A node has the vertices of its cell, which stay, while its place is used again. Nodes stand in blocks, so that they
-// need not be copied when there are more. Siblings follow each other and have the same parent.
+// A node has the vertices of its cell, which stay, while its place is used again. Siblings follow each other and have
+// the same parent.
 // After Guibas, Knuth, Sharir, "Randomized incremental construction of Delaunay and Voronoi diagrams", Algorithmica 7,
 // 1992, and Edelsbrunner and Shah, Algorithmica 15, 1996; the thesis, 3.1.
 // Doors: paradt__history_*.
@@ -12649,54 +12729,15 @@ PARADT__INLINE paradt_status paradt__flip(paradt__flipper *f, int corners) {
 enum {
     PARADT__NODE_PARENT, // the parent, or PARADT__OPEN: a first cell
     PARADT__NODE_CHILD,  // the first child; or, of a living cell, -1 - its place
-    PARADT__NODE_VERTICES,
-    PARADT__NODE_SHIFT = 14 // a block has 2^14 nodes
+    PARADT__NODE_VERTICES
 };
 
-typedef struct paradt__history {
-    size_t width;         // of a node
-    size_t count;         // nodes
-    paradt_index **block; // [block_capacity]
-    size_t blocks, block_capacity;
-} paradt__history;
-
-static void paradt__history_free(paradt__history *h, paradt__memory *memory) {
-    size_t i;
-    for (i = 0; i < h->blocks; i++) paradt__release(memory, h->block[i]);
-    paradt__release(memory, h->block);
-    memset(h, 0, sizeof *h);
-}
-
-PARADT__INLINE paradt_index *paradt__history_node(const paradt__history *h, paradt_index node) {
-    return h->block[node >> PARADT__NODE_SHIFT] + (size_t)(node & ((1 << PARADT__NODE_SHIFT) - 1)) * h->width;
-}
-
-// Makes room for more nodes.
-static paradt_status paradt__history_grow(paradt__history *h, size_t more, paradt__memory *memory) {
-    size_t most = (size_t)PARADT__NOWHERE;
-    if (more > most - h->count) return PARADT_ERROR_TOO_LARGE;
-    while (h->blocks << PARADT__NODE_SHIFT < h->count + more) {
-        void *array = h->block;
-        if (h->blocks == h->block_capacity) {
-            if (!paradt__grow(memory, &array, h->blocks, 2 * h->blocks + 16, sizeof *h->block))
-                return PARADT_ERROR_MEMORY;
-            h->block = (paradt_index **)array;
-            h->block_capacity = 2 * h->blocks + 16;
-        }
-        array = paradt__alloc_filled(memory, (size_t)1 << PARADT__NODE_SHIFT, h->width * sizeof(paradt_index));
-        if (!array) return PARADT_ERROR_MEMORY;
-        h->block[h->blocks++] = (paradt_index *)array;
-    }
-    return PARADT_OK;
-}
-
-PARADT__INLINE paradt_status paradt__history_room(paradt__history *h, size_t more, paradt__memory *memory) {
-    if (PARADT__LIKELY(h->count + more <= h->blocks << PARADT__NODE_SHIFT)) return PARADT_OK;
-    return paradt__history_grow(h, more, memory);
+PARADT__INLINE paradt_index *paradt__history_node(const paradt__nodes *h, paradt_index node) {
+    return (paradt_index *)paradt__nodes_at(h, node);
 }
 
 // Adds a living cell, for which there is room. Returns its node.
-PARADT__INLINE paradt_index paradt__history_add(paradt__history *h, paradt_index parent, paradt_index place,
+PARADT__INLINE paradt_index paradt__history_add(paradt__nodes *h, paradt_index parent, paradt_index place,
                                                 const paradt_index *vertices, int corners) {
     paradt_index node = (paradt_index)h->count++, *row = paradt__history_node(h, node);
     row[PARADT__NODE_PARENT] = parent;
@@ -12728,8 +12769,8 @@ PARADT__INLINE int paradt__history_contains(paradt__scene *scene, const paradt_i
 }
 
 // The first cell, or ghost on one of its facets, that contains x
-static paradt_index paradt__history_root(const paradt__history *h, paradt__scene *scene, const double *x) {
-    int corners = (int)h->width - PARADT__NODE_VERTICES;
+static paradt_index paradt__history_root(const paradt__nodes *h, paradt__scene *scene, const double *x) {
+    int corners = (int)(h->width / sizeof(paradt_index)) - PARADT__NODE_VERTICES;
     paradt_index node = 0;
     while (node < corners && !paradt__history_contains(scene, paradt__history_node(h, node), x, corners)) node++;
     return node; // the last need not be asked
@@ -12756,7 +12797,7 @@ PARADT__INLINE int paradt__history_between(paradt__scene *scene, const paradt_in
 // circuit's relation to a combination of x by all points of the circuit with no negative coefficient: those of Q fall,
 // and the first to become zero tells which vertex the cell that contains x does not have. So two of the children are
 // compared by the facet between them, and the best of all contains x.
-PARADT__INLINE paradt_index paradt__history_child(const paradt__history *h, paradt__scene *scene, paradt_index first,
+PARADT__INLINE paradt_index paradt__history_child(const paradt__nodes *h, paradt__scene *scene, paradt_index first,
                                                   const double *x, int corners) {
     const paradt_index *row = paradt__history_node(h, first), *next;
     paradt_index parent = row[PARADT__NODE_PARENT], best = first, node;
@@ -12774,7 +12815,7 @@ PARADT__INLINE paradt_index paradt__history_child(const paradt__history *h, para
 
 // Finds the living cell, or ghost, that contains x. Returns its place; or PARADT__OPEN where all that is known is that
 // x is beyond a hull facet that a point was connected to. node: where to start
-PARADT__INLINE paradt_index paradt__history_locate(const paradt__history *h, paradt__scene *scene, paradt_index node,
+PARADT__INLINE paradt_index paradt__history_locate(const paradt__nodes *h, paradt__scene *scene, paradt_index node,
                                                    const double *x, int corners) {
     const paradt_index *row = paradt__history_node(h, node), *parent;
     while (!paradt__history_contains(scene, row, x, corners)) {
@@ -12826,7 +12867,7 @@ enum { PARADT__NO_SIGNS = 0xffff }; // for the mask of negative signs: in confli
 
 typedef struct paradt__flips {
     paradt__flipper flipper;
-    paradt__history history;
+    paradt__nodes history;
     paradt__flip_place *at; // [places] by place
     size_t places;
     paradt__list facets; // to be looked at: pairs, a handle and the node of its cell, which may be dead
@@ -12839,7 +12880,7 @@ typedef struct paradt__flips {
 static paradt_status paradt__flips_room(paradt__flips *f, size_t made) {
     paradt__memory *memory = f->flipper.build.memory;
     size_t capacity = f->flipper.build.scene.mesh.capacity;
-    paradt_status status = paradt__history_room(&f->history, made, memory);
+    paradt_status status = paradt__nodes_room(&f->history, made, memory);
     if (!status)
         status = paradt__list_room(&f->facets.items, f->facets.count, &f->facets.capacity, f->facets.count + 2 * made,
                                    memory);
@@ -13064,7 +13105,7 @@ static paradt_status paradt__flips_begin(paradt__flips *f) {
     if (!status) status = paradt__insertion_first_cells(build);
     if (status) return status;
     build->inserted = corners;
-    f->history.width = corners + PARADT__NODE_VERTICES;
+    f->history.width = (corners + PARADT__NODE_VERTICES) * sizeof(paradt_index);
     status = paradt__flips_room(f, corners + 1);
     for (place = 0; place < mesh->count && !status; place++)
         f->at[place].node = paradt__history_add(&f->history, PARADT__OPEN, (paradt_index)place,
@@ -13089,7 +13130,7 @@ PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt
     if (!status) status = paradt__flips_go(&f, progress);
     stats->history_nodes = f.history.count;
     *counters = build->scene.space.counters;
-    paradt__history_free(&f.history, memory);
+    paradt__nodes_free(&f.history, memory);
     paradt__list_free(&f.facets, memory);
     paradt__release(memory, f.at);
     paradt__flipper_rest(&f.flipper);
@@ -13139,17 +13180,12 @@ typedef struct paradt__tree_node {
     paradt__tag seen;                  // the last search that has looked at the node
 } paradt__tree_node;
 
-enum { PARADT__TREE_SHIFT = 12, PARADT__TREE_BLOCK = 1 << PARADT__TREE_SHIFT }; // nodes a block
-
 typedef struct paradt__tree {
     paradt__memory *memory;
     int corners;
-    size_t width;  // bytes of a node and its row
-    char **blocks; // [blocks_capacity] nodes never move, except for those of the first block, which grows
-    size_t blocks_count, blocks_capacity;
-    size_t count, capacity; // nodes
-    size_t roots;           // of them; they come first
-    paradt_index *at;       // [places] the nodes of the cells in the mesh
+    paradt__nodes nodes; // each with its row behind it
+    size_t roots;        // of them; they come first
+    paradt_index *at;    // [places] the nodes of the cells in the mesh
     size_t places;
     paradt__list waiting; // nodes that the search has yet to look at
     paradt__tag searches; // so far; numbers them
@@ -13157,8 +13193,7 @@ typedef struct paradt__tree {
 } paradt__tree;
 
 PARADT__INLINE paradt__tree_node *paradt__tree_at(const paradt__tree *tree, paradt_index node) {
-    char *block = tree->blocks[node >> PARADT__TREE_SHIFT];
-    return (paradt__tree_node *)(void *)(block + (size_t)(node & (PARADT__TREE_BLOCK - 1)) * tree->width);
+    return (paradt__tree_node *)paradt__nodes_at(&tree->nodes, node);
 }
 
 PARADT__INLINE paradt_index *paradt__tree_row(const paradt__tree_node *node) {
@@ -13166,43 +13201,13 @@ PARADT__INLINE paradt_index *paradt__tree_row(const paradt__tree_node *node) {
 }
 
 static void paradt__tree_free(paradt__tree *tree) {
-    size_t i;
-    for (i = 0; i < tree->blocks_count; i++) paradt__release(tree->memory, tree->blocks[i]);
-    paradt__release(tree->memory, tree->blocks);
+    paradt__nodes_free(&tree->nodes, tree->memory);
     paradt__release(tree->memory, tree->at);
     paradt__list_free(&tree->waiting, tree->memory);
 }
 
-// Makes room for some more nodes: doubles the first block until it is full, then adds blocks.
-static paradt_status paradt__tree_grow(paradt__tree *tree) {
-    enum { FEW = 64 };
-    size_t first = tree->capacity < FEW ? (size_t)FEW : 2 * tree->capacity;
-    void *block = tree->blocks_count ? tree->blocks[0] : NULL, *blocks = tree->blocks;
-    if (tree->capacity > (size_t)PARADT__NOWHERE - PARADT__TREE_BLOCK) return PARADT_ERROR_TOO_LARGE;
-    if (tree->blocks_count == tree->blocks_capacity) {
-        size_t more = 2 * tree->blocks_capacity + 4;
-        if (!paradt__grow(tree->memory, &blocks, tree->blocks_count, more, sizeof *tree->blocks))
-            return PARADT_ERROR_MEMORY;
-        tree->blocks = (char **)blocks;
-        tree->blocks_capacity = more;
-    }
-    if (tree->capacity < PARADT__TREE_BLOCK) {
-        if (!paradt__grow(tree->memory, &block, tree->count, first, tree->width)) return PARADT_ERROR_MEMORY;
-        tree->blocks[0] = (char *)block;
-        tree->blocks_count = 1;
-        tree->capacity = first;
-        return PARADT_OK;
-    }
-    block = paradt__alloc_filled(tree->memory, PARADT__TREE_BLOCK, tree->width);
-    if (!block) return PARADT_ERROR_MEMORY;
-    tree->blocks[tree->blocks_count++] = (char *)block;
-    tree->capacity += PARADT__TREE_BLOCK;
-    return PARADT_OK;
-}
-
 // Makes room for so many more nodes, and for the node at each place of the mesh.
 static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *mesh, size_t more) {
-    paradt_status status = PARADT_OK;
     void *at = tree->at;
     if (!PARADT__LIKELY(mesh->count <= tree->places)) {
         if (!paradt__grow(tree->memory, &at, tree->places, mesh->capacity, sizeof *tree->at))
@@ -13210,8 +13215,7 @@ static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *m
         tree->at = (paradt_index *)at;
         tree->places = mesh->capacity;
     }
-    while (!PARADT__LIKELY(tree->count + more <= tree->capacity) && !status) status = paradt__tree_grow(tree);
-    return status;
+    return paradt__nodes_room(&tree->nodes, more, tree->memory);
 }
 
 // Makes a node that of the cell at a place.
@@ -13235,14 +13239,14 @@ static paradt_status paradt__tree_begin(paradt__tree *tree, const paradt__mesh *
     memset(tree, 0, sizeof *tree);
     tree->memory = memory;
     tree->corners = mesh->corners;
-    tree->width = sizeof(paradt__tree_node) + (size_t)mesh->corners * sizeof(paradt_index);
+    tree->nodes.width = sizeof(paradt__tree_node) + (size_t)mesh->corners * sizeof(paradt_index);
     status = paradt__tree_room(tree, mesh, mesh->count);
-    for (; tree->count < mesh->count && !status; tree->count++) {
-        PARADT_ASSERT(mesh->vertices[tree->count * (size_t)mesh->corners] != PARADT__DEAD);
-        *paradt__tree_at(tree, (paradt_index)tree->count) = root;
-        paradt__tree_fill(tree, mesh, (paradt_index)tree->count, (paradt_index)tree->count);
+    for (; tree->nodes.count < mesh->count && !status; tree->nodes.count++) {
+        PARADT_ASSERT(mesh->vertices[tree->nodes.count * (size_t)mesh->corners] != PARADT__DEAD);
+        *paradt__tree_at(tree, (paradt_index)tree->nodes.count) = root;
+        paradt__tree_fill(tree, mesh, (paradt_index)tree->nodes.count, (paradt_index)tree->nodes.count);
     }
-    tree->roots = tree->count;
+    tree->roots = tree->nodes.count;
     return status;
 }
 
@@ -13278,7 +13282,7 @@ static void paradt__tree_begin_search(paradt__tree *tree) {
     size_t i;
     tree->waiting.count = 0;
     if (PARADT__LIKELY(++tree->searches)) return;
-    for (i = 0; i < tree->count; i++) paradt__tree_at(tree, (paradt_index)i)->seen = 0;
+    for (i = 0; i < tree->nodes.count; i++) paradt__tree_at(tree, (paradt_index)i)->seen = 0;
     tree->searches = 1;
 }
 
@@ -13354,7 +13358,7 @@ PARADT__NOINLINE paradt_status paradt__tree_record(paradt__tree *tree, const par
                                                    paradt_index point) {
     const paradt__mesh *mesh = &build->scene.mesh;
     const paradt__update *update = &build->update;
-    size_t i, first = tree->count;
+    size_t i, first = tree->nodes.count;
     paradt_status status = paradt__tree_room(tree, mesh, update->made_count);
     if (status) return status;
     PARADT_ASSERT(update->made_count == 0 || update->made_count == build->rim_count);
@@ -13367,7 +13371,7 @@ PARADT__NOINLINE paradt_status paradt__tree_record(paradt__tree *tree, const par
     }
     for (i = 0; i < update->made_count; i++)
         paradt__tree_fill(tree, mesh, (paradt_index)(first + i), paradt__mesh_cell(mesh, update->made[i]));
-    tree->count += update->made_count;
+    tree->nodes.count += update->made_count;
     return PARADT_OK;
 }
 
@@ -13395,8 +13399,8 @@ PARADT__HOT paradt_status paradt__tree_insert_all(paradt__tree *tree, paradt__in
     while (build->inserted < build->count && !status) {
         paradt_index point = paradt__insertion_point(build, build->inserted), cell;
         const double *x = paradt__scene_record(&build->scene, point);
-        if (tree->count + tree->looked >= due) {
-            due = tree->count + tree->looked + REPORTED;
+        if (tree->nodes.count + tree->looked >= due) {
+            due = tree->nodes.count + tree->looked + REPORTED;
             if (paradt__progress_cancels(progress, (double)build->inserted / (double)build->count))
                 return PARADT_ERROR_CANCELLED;
         }
@@ -13421,7 +13425,7 @@ PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__
     if (!status) {
         status = paradt__tree_begin(&tree, &build.scene.mesh, memory);
         if (!status) status = paradt__tree_insert_all(&tree, &build, progress);
-        stats->history_nodes = tree.count;
+        stats->history_nodes = tree.nodes.count;
         paradt__tree_free(&tree);
     }
     *counters = build.scene.space.counters;
@@ -17586,12 +17590,7 @@ PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces, paradt__coun
     memset(faces->counters, 0, sizeof faces->counters);
     paradt__team_run(faces->team, paradt__hull_flat_task, faces);
     if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
-    for (task = 0; task < faces->team->tasks; task++) {
-        counters->orient_calls += faces->counters[task].orient_calls;
-        counters->exact_small += faces->counters[task].exact_small;
-        counters->exact_fixed += faces->counters[task].exact_fixed;
-        counters->exact_general += faces->counters[task].exact_general;
-    }
+    for (task = 0; task < faces->team->tasks; task++) paradt__counters_add(counters, &faces->counters[task]);
     memset(&stack, 0, sizeof stack);
     for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = -1;
     for (facet = 0; facet < mesh->count && !status; facet++) {
@@ -18386,26 +18385,25 @@ static paradt_status paradt__mend_flip_all(paradt__mend *m) {
 // >>mending by holes
 //
 // What flips leave: cells that are turned over, and facets that are not locally regular. Such cells are taken out. Let
-// Q be the vertices of the hole. If the facets of its rim are facets of T(P), T(P) fills the hole with cells on points
-// of Q, which are cells of T(Q), too: ghosts as well as others. T(Q) is made by insertion, and the hole is filled with
-// the cells of T(Q) that can be reached from its rim. A hole is enlarged by the cells beyond those facets of its rim
-// that T(Q) does not have, or that would not be locally regular, and by all beyond its rim if the filling gets out of
+// H be the vertices of the hole. If the facets of its rim are facets of T(P), T(P) fills the hole with cells on points
+// of H, which are cells of T(H), too: ghosts as well as others. T(H) is made by insertion, and the hole is filled with
+// the cells of T(H) that can be reached from its rim. A hole is enlarged by the cells beyond those facets of its rim
+// that T(H) does not have, or that would not be locally regular, and by all beyond its rim if the filling gets out of
 // the hole. So nothing is left to be looked at afterwards. In the end all cells are positively oriented, all facets and
 // the hull's ridges are locally regular, and every place is covered once: that proves that the mesh is T(P).
-// Doors: paradt__mend_fill_all, paradt__mend_end,
-// paradt__vertex_at, paradt__mend_is_done.
+// Doors: paradt__mend_fill_all, paradt__mend_end, paradt__vertex_at, paradt__mend_is_done.
 
 // A hole, and what it is filled with
 typedef struct paradt__hole {
     paradt__list cells;       // places; they have the mark PARADT__CONFLICT
-    paradt__list points;      // Q
+    paradt__list points;      // H
     paradt__list rim;         // facets of the hole's cells
-    paradt__list walls;       // for each the same facet in T(Q), seen from inside
-    paradt__list reached;     // places in T(Q) of the cells that fill the hole
-    paradt__list becomes;     // by place in T(Q): where the cell gets its place; PARADT__OPEN: it is not reached
-    paradt__list outer;       // by handle in T(Q): the facet of a kept cell that is on the other side, or PARADT__OPEN
-    paradt__insertion filler; // T(Q)
-    paradt__facets table;     // of the facets of T(Q)
+    paradt__list walls;       // for each the same facet in T(H), seen from inside
+    paradt__list reached;     // places in T(H) of the cells that fill the hole
+    paradt__list becomes;     // by place in T(H): where the cell gets its place; PARADT__OPEN: it is not reached
+    paradt__list outer;       // by handle in T(H): the facet of a kept cell that is on the other side, or PARADT__OPEN
+    paradt__insertion filler; // T(H)
+    paradt__facets table;     // of the facets of T(H)
     uint32_t *seen;           // [points] by point: the number of the last hole that it was in
     uint32_t number;          // of holes that points were collected for
     size_t worked;            // cells of all holes, as often as these were filled
@@ -18466,26 +18464,19 @@ static paradt_status paradt__hole_survey(paradt__mend *m, paradt__hole *hole) {
     return status;
 }
 
-// Begins T(Q) anew. Returns PARADT_OK with an empty mesh if Q does not span the space.
+// Begins T(H) anew. Returns PARADT_OK with an empty mesh if H does not span the space.
 static paradt_status paradt__hole_first_cells(paradt__mend *m, paradt__hole *hole, const paradt__set *set) {
     paradt__insertion *filler = &hole->filler;
     paradt__mesh *mesh = &filler->scene.mesh;
     paradt__set part = *set;
-    paradt_index basis[PARADT_MAX_DIM + 1], *order = hole->points.items;
-    int count, i;
+    int count;
     part.count = hole->points.count;
     if (mesh->marks) memset(mesh->marks, 0, mesh->count);
     mesh->count = mesh->spare_count = 0;
-    count = paradt__set_basis(&part, order, 0, basis, NULL, &filler->scene.space.counters, NULL);
+    count = paradt__insertion_span_first(&part, hole->points.items, &filler->scene.space.counters);
     if (count < mesh->corners) return PARADT_OK;
-    for (i = 0; i < count; i++) {
-        size_t at = (size_t)i;
-        while (order[at] != basis[i]) at++;
-        order[at] = order[i];
-        order[i] = basis[i];
-    }
     filler->memory = m->flipper.build.memory;
-    filler->order = order;
+    filler->order = hole->points.items;
     filler->count = part.count;
     filler->inserted = (size_t)count;
     filler->scene.hint = 0;
@@ -18504,7 +18495,7 @@ static paradt_index paradt__vertex_at(const paradt__scene *scene, paradt_index c
     return PARADT__NOWHERE;
 }
 
-// Makes T(Q). Points at the same place are one; with weights it is better to build anew then.
+// Makes T(H). Points at the same place are one; with weights it is better to build anew then.
 static paradt_status paradt__hole_triangulate(paradt__mend *m, paradt__hole *hole, const paradt__set *set) {
     paradt__insertion *filler = &hole->filler;
     paradt_status status = paradt__hole_first_cells(m, hole, set);
@@ -18536,7 +18527,7 @@ static int paradt__sees_from_outside(const paradt_index *one, int i, const parad
     return odd;
 }
 
-// Enters the facets of T(Q) into the table.
+// Enters the facets of T(H) into the table.
 static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
     paradt__mesh *mesh = &hole->filler.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
@@ -18555,7 +18546,7 @@ static paradt_status paradt__hole_enter(paradt__mend *m, paradt__hole *hole) {
     return status;
 }
 
-// Finds the facets of the rim in T(Q). The cells beyond those that are not there are added to the hole.
+// Finds the facets of the rim in T(H). The cells beyond those that are not there are added to the hole.
 static paradt_status paradt__hole_match(paradt__mend *m, paradt__hole *hole) {
     const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *filler = &hole->filler.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
@@ -18588,7 +18579,7 @@ static paradt_status paradt__list_open(paradt__list *list, size_t count, paradt_
     return PARADT_OK;
 }
 
-// Reaches the cells of T(Q) that fill the hole, from the walls. *tight: none is beyond a wall
+// Reaches the cells of T(H) that fill the hole, from the walls. *tight: none is beyond a wall
 static paradt_status paradt__hole_reach(paradt__mend *m, paradt__hole *hole, int *tight) {
     const paradt__mesh *mesh = &m->flipper.build.scene.mesh, *filler = &hole->filler.scene.mesh;
     paradt__memory *memory = m->flipper.build.memory;
@@ -18811,6 +18802,7 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
     hole.filler.rim = NULL;
     hole.filler.rim_count = hole.filler.rim_capacity = 0;
     hole.filler.kept = NULL;
+    memset(&hole.filler.scene.space.counters, 0, sizeof hole.filler.scene.space.counters);
     paradt__mesh_begin(&hole.filler.scene.mesh, corners, 1);
     hole.seen = (uint32_t *)paradt__alloc(memory, set->count, sizeof *hole.seen);
     if (!hole.seen) return PARADT_ERROR_MEMORY;
@@ -18822,6 +18814,7 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
         status = paradt__mend_fill(m, &hole, set, cell);
         if (!status && paradt__meter_cancels(m->meter)) status = PARADT_ERROR_CANCELLED;
     }
+    paradt__counters_add(&m->flipper.build.scene.space.counters, &hole.filler.scene.space.counters);
     paradt__hole_free(&hole, memory);
     return status;
 }
@@ -19063,24 +19056,27 @@ PARADT__INLINE int paradt__repair_place(const paradt_index *row, paradt_index ve
 }
 
 // Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
-// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together.
-PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
+// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together,
+// or a neighbour, whose row may not have been looked at yet, has a vertex that is no point.
+PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, size_t points, int facets, int corners) {
     paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
     paradt_index own = 0;
     int fits = 1;
     for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
     for (i = base; i < base + corners; i++) {
-        paradt_index link = links[i], other = link * corners, apex = own ^ mesh->vertices[i], back;
+        paradt_index link = links[i], apex = own ^ mesh->vertices[i], other, back;
         int place;
         if (link == PARADT__HULL) continue;
         if (facets) {
             if (link < 0 || link >= end * corners || links[link] != i) return 0;
+            if ((paradt__tag)mesh->vertices[link] >= (paradt__tag)points) return 0;
             continue;
         }
         if (link < 0 || link >= end) return 0;
+        other = link * corners;
         for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
         place = paradt__repair_place(mesh->vertices + other, apex, corners);
-        if (place >= corners) return 0;
+        if (place >= corners || (paradt__tag)apex >= (paradt__tag)points) return 0;
         back = link < (paradt_index)cell ? i : (paradt_index)cell;
         fits &= links[other + place] == back;
         links[i] = other + place;
@@ -19157,7 +19153,7 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
             paradt__repair_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
             if (!paradt__vertices_among(mesh.vertices + linked * (size_t)corners, corners, 0,
                                         (paradt_index)r->set.count) ||
-                !paradt__repair_link(&mesh, linked, r->facets, corners))
+                !paradt__repair_link(&mesh, linked, r->set.count, r->facets, corners))
                 return PARADT_ERROR_INVALID;
             paradt__repair_fetch_records(build, linked, corners);
         }
@@ -19276,17 +19272,22 @@ static void paradt__repair_rejoin(paradt__repair *r, const uint64_t *used) {
     }
 }
 
+// With more points that are no vertices it is better to build anew: each of them takes a walk.
+static size_t paradt__repair_most_others(size_t points) {
+    return points / 4 + 64;
+}
+
 // Deals with all points that are no vertices, in their order.
 static paradt_status paradt__repair_others(paradt__repair *r, uint64_t *used) {
     paradt__scene *scene = &r->mend.flipper.build.scene;
     paradt_index *representative = r->t->representative;
-    size_t i, others = 0, most = r->set.count / 4 + 64;
+    size_t i, others = 0;
     uint64_t inserted = r->mend.stats->reinserted;
     paradt_status status = PARADT_OK;
     paradt__repair_vertices(r, used);
     for (i = 0; i < r->set.count; i++) others += !(used[i / 64] >> i % 64 & 1);
     if (!others) return PARADT_OK;
-    if (others > most) return PARADT__GAVE_UP;
+    if (others > paradt__repair_most_others(r->set.count)) return PARADT__GAVE_UP;
     scene->hint = 0;
     while (scene->mesh.vertices[scene->hint * scene->mesh.corners] == PARADT__DEAD) scene->hint++;
     for (i = 0; i < r->set.count; i++) representative[i] = (paradt_index)i;
@@ -19353,9 +19354,12 @@ static paradt_status paradt__repair_places(paradt__repair *r) {
 
 // --- the whole
 
-// Returns why the triangulation can't be repaired, but only be built anew, or NULL. Then nothing is wrong with it.
+// Can the triangulation be repaired, and does that pay? Not where many points are no vertices.
 static int paradt__repair_pays(const paradt_triangulation *t, const paradt_points *points) {
-    return t->dim == points->dim && t->cell_count && t->neighbors && t->cells;
+    size_t others = 0, i;
+    if (t->dim != points->dim || !t->cell_count || !t->neighbors || !t->cells) return 0;
+    for (i = 0; i < t->point_count; i++) others += t->representative[i] != (paradt_index)i;
+    return others <= paradt__repair_most_others(t->point_count);
 }
 
 // Prepares mending: the insertion that the flips are done in.
@@ -19488,6 +19492,9 @@ static paradt_status paradt__repair_anew(paradt_triangulation *t, const paradt_p
     if (status) {
         t->error_point = fresh.error_point;
         t->error_text = fresh.error_text;
+        if (status == PARADT_ERROR_NOT_FINITE || status == PARADT_ERROR_TOO_LARGE) return status; // all else stays
+        t->stats.peak_bytes = fresh.stats.peak_bytes;
+        t->stats.needed_bytes = fresh.stats.needed_bytes;
         return status;
     }
     paradt_free(t);
@@ -19518,8 +19525,10 @@ static paradt_status paradt__repair_in_place(paradt_triangulation *t, const para
         paradt__mesh_free(&r.mend.flipper.build.scene.mesh, &r.memory);
     }
     paradt__set_free(&r.set, &r.memory);
-    t->stats.peak_bytes = r.memory.peak;
-    t->stats.needed_bytes = status == PARADT_ERROR_MEMORY ? r.memory.needed : 0;
+    if (!status || r.touched || status == PARADT_ERROR_MEMORY) {
+        t->stats.peak_bytes = r.memory.peak;
+        t->stats.needed_bytes = status == PARADT_ERROR_MEMORY ? r.memory.needed : 0;
+    }
     *touched = r.touched;
     return status;
 }

@@ -2,6 +2,7 @@
 //     - all methods, with one region and with several, and the points in reverse order have to give the same cells
 //     - with PARADT_FACETS each facet of a cell has to lead to the same facet of another cell and back
 //     - paradt_check has to certify each result
+//     - after points have moved, repairing has to give the same as a new triangulation
 //     - a failing allocation has to be reported, and may not leak memory
 //     - after an element of a result is overwritten, paradt_check has to return, and may only certify the same cells
 //
@@ -16,7 +17,7 @@
 //        copy; bit 6: numbers that are not finite are kept; bit 7: uniform partition
 //     1  regions - 1
 //     2  parameter of the encoding
-//     3  number of the allocation that fails, and of the element that is overwritten
+//     3  number of the allocation that fails, and of the element that is overwritten; bits 0-1: how points move
 //     4  0, or the points are flat: bit 0: 1: an axis equals the next one, 0: it is constant; bits 1-7: this axis
 // The points follow: the coordinates of each and, if there are weights, its weight. next_number has the encodings.
 #ifndef PARADT_FUZZ_LINKED // defined if another object has the implementation
@@ -124,7 +125,7 @@ typedef struct input {
     paradt_points points;
     size_t regions;
     paradt_partition partition;
-    int spoil;     // byte 3 of the header
+    int spoil;     // byte 3 of the header: number of what fails or is overwritten, and how points move
     int first_bad; // index of the first point that is not finite, or -1
 } input;
 
@@ -283,6 +284,47 @@ static void expect_same_reversed(const input *in, const paradt_triangulation *t)
     paradt_free(&u);
 }
 
+// Moves points. kind: 0: each a little, in the last bits of its coordinates; 1: each by up to a 64th of its size; 2: every
+// third to the place of another; 3: none, but their weights
+static void move(input *in, int kind) {
+    size_t count = in->points.count, dim = (size_t)in->points.dim, i;
+    for (i = 0; i < count * dim && kind < 2; i++)
+        in->x[i] = from_bits(to_bits(in->x[i]) ^ (i * 0x9e3779b97f4a7c15u + 1) >> (kind ? 18 : 54));
+    for (i = 0; i < count && kind == 2; i += 3)
+        memcpy(in->x + i * dim, in->x + i * 7 % count * dim, dim * sizeof(double));
+    for (i = 0; i < count / 2 && kind == 3; i++)
+        in->w[i] = in->w[count - 1 - i];
+}
+
+// A triangulation has to become that of the points where they are now. flags: those that it is made with
+static void expect_repair(const input *in, unsigned flags) {
+    input moved = *in;
+    paradt_options options;
+    paradt_triangulation t, u;
+    paradt_status status;
+    memset(&options, 0, sizeof options);
+    options.flags = flags;
+    move(&moved, in->spoil % 4);
+    moved.points.data = moved.x;
+    moved.points.weights = in->points.weights ? moved.w : NULL;
+    status = paradt_triangulate(&t, &in->points, &options);
+    if (!status)
+        status = paradt_repair(&t, &moved.points, &options, NULL);
+    if (!status)
+        status = paradt_triangulate(&u, &moved.points, &options);
+    if (status)
+        fail("repair", paradt_status_string(status));
+    if (paradt_hash(&t) != paradt_hash(&u))
+        fail("repair", "the cells are not those of a new triangulation");
+    if (u.point_count && memcmp(t.representative, u.representative, u.point_count * sizeof *u.representative))
+        fail("repair", "the representatives are not those of a new triangulation");
+    certify(&t, &moved.points, flags, "repair");
+    if (flags & PARADT_FACETS)
+        expect_mirrors(&t, "repair");
+    paradt_free(&t);
+    paradt_free(&u);
+}
+
 typedef struct blocks {
     int held;    // blocks that were allocated and not freed
     int calls;   // allocations so far
@@ -358,6 +400,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         options.flags = PARADT_FACETS;
         expect_hash(&in, &options, hash, "facets");
     }
+    expect_repair(&in, in.regions % 2 ? PARADT_FACETS : 0);
     expect_same_reversed(&in, &t);
     expect_clean_failure(&in, hash);
     expect_no_false_certificate(&t, &in.points, 0, t.cells, t.cell_count * (size_t)(t.dim + 1), in.spoil);

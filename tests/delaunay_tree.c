@@ -77,7 +77,7 @@ static void for_each_tree(int f, void (*run)(grown *g)) {
 }
 
 static paradt__tree_node *node_at(const grown *g, size_t number) {
-    assert_in_range(number, 0, g->tree.count - 1);
+    assert_in_range(number, 0, g->tree.nodes.count - 1);
     return paradt__tree_at(&g->tree, (paradt_index)number);
 }
 
@@ -94,10 +94,10 @@ static int shared(const grown *g, const paradt__tree_node *a, const paradt__tree
 
 // Fills the stepfather of each node.
 static paradt_index *stepfathers_of(const grown *g) {
-    paradt_index *stepfather = (paradt_index *)need(g->tree.count, sizeof *stepfather);
-    for (size_t i = 0; i < g->tree.count; i++)
+    paradt_index *stepfather = (paradt_index *)need(g->tree.nodes.count, sizeof *stepfather);
+    for (size_t i = 0; i < g->tree.nodes.count; i++)
         stepfather[i] = PARADT__OPEN;
-    for (size_t i = 0; i < g->tree.count; i++)
+    for (size_t i = 0; i < g->tree.nodes.count; i++)
         for (paradt_index next = node_at(g, i)->stepson; next >= 0; next = node_at(g, (size_t)next)->stepbrother) {
             assert_true(stepfather[next] == PARADT__OPEN); // in one list only
             stepfather[next] = (paradt_index)i;
@@ -111,7 +111,7 @@ static void check_kin(grown *g) {
     const paradt__mesh *mesh = &g->build.scene.mesh;
     size_t corners = (size_t)mesh->corners, sons = 0, live = 0, cells = 0;
     paradt_index *stepfather = stepfathers_of(g);
-    for (size_t i = 0; i < g->tree.count; i++) {
+    for (size_t i = 0; i < g->tree.nodes.count; i++) {
         const paradt__tree_node *node = node_at(g, i);
         int lives = node->place != PARADT__NOWHERE;
         for (paradt_index next = node->son; next >= 0; next = node_at(g, (size_t)next)->brother, sons++)
@@ -142,7 +142,7 @@ static void check_kin(grown *g) {
     for (size_t i = 0; i < mesh->count; i++)
         cells += mesh->vertices[i * corners] != PARADT__DEAD;
     assert_int_equal(live, cells);
-    assert_int_equal(sons, g->tree.count - g->tree.roots);
+    assert_int_equal(sons, g->tree.nodes.count - g->tree.roots);
     free(stepfather);
 }
 
@@ -152,11 +152,11 @@ static void check_conflicts(grown *g) {
     const paradt__mesh *mesh = &g->build.scene.mesh;
     size_t corners = (size_t)mesh->corners, last = g->first + 12 < g->set.count ? g->first + 12 : g->set.count;
     paradt_index *stepfather = stepfathers_of(g);
-    unsigned char *conflict = (unsigned char *)need(g->tree.count, 1);
+    unsigned char *conflict = (unsigned char *)need(g->tree.nodes.count, 1);
     for (size_t q = g->first; q < last; q++) {
         const double *x = paradt__scene_record(&g->build.scene, g->order[q]);
         size_t found = 0;
-        for (size_t i = 0; i < g->tree.count; i++) {
+        for (size_t i = 0; i < g->tree.nodes.count; i++) {
             const paradt__tree_node *node = node_at(g, i);
             conflict[i] = (unsigned char)paradt__tree_conflicts(&g->build.scene, node, x);
             if (conflict[i] && i >= g->tree.roots && !conflict[node->father] && !conflict[stepfather[i]])
@@ -184,7 +184,7 @@ static void check_conflicts(grown *g) {
 static void check_later_points(grown *g) {
     paradt__insertion *build = &g->build;
     paradt__mesh *mesh = &build->scene.mesh;
-    size_t corners = (size_t)mesh->corners, made = g->tree.count;
+    size_t corners = (size_t)mesh->corners, made = g->tree.nodes.count;
     uint64_t hash = 0;
     for (size_t q = g->first; q < g->set.count; q++) {
         paradt_index point = g->order[q], place = (paradt_index)(q % mesh->count);
@@ -199,7 +199,7 @@ static void check_later_points(grown *g) {
         made += build->update.made_count;
         assert_int_equal(paradt__tree_record(&g->tree, build, point), PARADT_OK);
     }
-    assert_int_equal(g->tree.count, made);
+    assert_int_equal(g->tree.nodes.count, made);
     check_kin(g);
     paradt__mesh_close(mesh, g->set.origin, 0, NULL);
     for (size_t i = 0; i < mesh->count; i++) {
@@ -232,7 +232,7 @@ static void searches_are_counted_anew(void **state) {
     (void)state;
     assert_true(grow(&g, family_named("uniform"), 0, 3, 400));
     g.tree.searches = (paradt__tag)-1 - 3;
-    for (size_t i = 0; i < g.tree.count; i++)
+    for (size_t i = 0; i < g.tree.nodes.count; i++)
         node_at(&g, i)->seen = 1 + (paradt__tag)(i % 3);
     check_conflicts(&g);
     assert_in_range(g.tree.searches, 1, 1000);
@@ -310,7 +310,7 @@ static void every_refused_block_is_an_error(void **state) {
         status = paradt_triangulate(&t, &points, &options);
         assert_true(status == (b.calls >= k ? PARADT_ERROR_MEMORY : PARADT_OK));
         if (!status)
-            assert_in_range(t.stats.history_nodes, PARADT__TREE_BLOCK + 1, 40 * s.count);
+            assert_in_range(t.stats.history_nodes, PARADT__NODES_BLOCK + 1, 40 * s.count);
         paradt_free(&t);
         assert_int_equal(b.live, 0);
     }
@@ -322,12 +322,12 @@ static void more_nodes_than_indices_are_too_large(void **state) {
     size_t capacity, count;
     (void)state;
     assert_true(grow(&g, family_named("uniform"), 0, 3, 50));
-    capacity = g.tree.capacity;
-    count = g.tree.count;
-    g.tree.count = g.tree.capacity = (size_t)PARADT__NOWHERE / PARADT__TREE_BLOCK * PARADT__TREE_BLOCK;
+    capacity = g.tree.nodes.capacity;
+    count = g.tree.nodes.count;
+    g.tree.nodes.count = g.tree.nodes.capacity = (size_t)PARADT__NOWHERE / PARADT__NODES_BLOCK * PARADT__NODES_BLOCK;
     assert_int_equal(paradt__tree_room(&g.tree, &g.build.scene.mesh, 1), PARADT_ERROR_TOO_LARGE);
-    g.tree.capacity = capacity;
-    g.tree.count = count;
+    g.tree.nodes.capacity = capacity;
+    g.tree.nodes.count = count;
     cut_down(&g);
 }
 

@@ -76,7 +76,7 @@ static void every_kind_of_flip_occurs(void **state) {
     }
 }
 
-// The memory of the history counts: a limit just below what is held is refused, and what is refused is said.
+// The memory of the history counts: a limit just below the most that is held is refused, and what is refused is said.
 static void the_history_keeps_within_the_limit(void **state) {
     sample s = family_make(&families[family_named("uniform")], NULL, 3, 2000, 9);
     paradt_points points = points_of(&s);
@@ -89,7 +89,7 @@ static void the_history_keeps_within_the_limit(void **state) {
     paradt_free(&t);
     assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
     paradt_free(&t);
-    options.memory_limit /= 2;
+    options.memory_limit--;
     assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_ERROR_MEMORY);
     assert_true(t.stats.needed_bytes > options.memory_limit);
     sample_free(&s);

@@ -129,6 +129,7 @@ static void wrong_arguments_leave_the_triangulation(void **state) {
     paradt_points points = points_of(&s), fewer = points;
     paradt_triangulation t = triangulation_of(&s, &options);
     uint64_t hash = paradt_hash(&t);
+    paradt_stats stats = t.stats;
     double kept;
     (void)state;
     fewer.count--;
@@ -147,12 +148,124 @@ static void wrong_arguments_leave_the_triangulation(void **state) {
     assert_int_equal(t.error_point, 50);
     s.x[150] = kept;
     assert_true(paradt_hash(&t) == hash);
+    assert_memory_equal(&t.stats, &stats, sizeof stats);
     assert_int_equal(paradt_repair(&t, &points, NULL, NULL), PARADT_OK);
     assert_true(paradt_hash(&t) == hash);
     assert_null(t.error_text);
     t.neighbors[3] = (paradt_index)t.cell_count + 5;
     assert_int_equal(paradt_repair(&t, &points, NULL, NULL), PARADT_ERROR_INVALID);
     assert_true(t.dim == -1 && !t.cells && !t.neighbors && !t.representative);
+    sample_free(&s);
+}
+
+// So does a coordinate that is not finite, where the triangulation would be built anew.
+static void what_is_to_be_built_anew_stays_until_then(void **state) {
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 100, 4);
+    paradt_points points = points_of(&s);
+    (void)state;
+    move(&s, FLATTEN, 1);
+    paradt_triangulation t = triangulation_of(&s, NULL), before = t;
+    s.x[150] = INFINITY;
+    assert_int_equal(paradt_repair(&t, &points, NULL, NULL), PARADT_ERROR_NOT_FINITE);
+    assert_int_equal(t.error_point, 50);
+    before.error_point = t.error_point;
+    before.error_text = t.error_text;
+    assert_true(t.cells == before.cells && t.neighbors == before.neighbors);
+    assert_memory_equal(&t.stats, &before.stats, sizeof t.stats);
+    paradt_free(&t);
+    sample_free(&s);
+}
+
+// Returns the place of a vertex that only a neighbour of the first cell has: the neighbour that comes last.
+static size_t apex_of_a_later_neighbour(const paradt_triangulation *t, int facets) {
+    size_t corners = (size_t)t->dim + 1, last = 0, i, j;
+    for (i = 0; i < corners; i++) {
+        size_t other = t->neighbors[i] < 0 ? 0 : (size_t)t->neighbors[i] / (facets ? corners : 1);
+        last = other > last ? other : last;
+    }
+    for (i = last * corners;; i++) {
+        int shared = 0;
+        for (j = 0; j < corners; j++)
+            shared |= t->cells[j] == t->cells[i];
+        if (!shared)
+            return i;
+    }
+}
+
+// A vertex that is no point is found before its coordinates are asked for, in a cell that is yet to be looked at, too.
+static void vertices_that_are_no_points_are_invalid(void **state) {
+    static const paradt_index wrong[] = {1000000000, 500, -1, INT32_MIN};
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 500, 4);
+    paradt_points points = points_of(&s);
+    (void)state;
+    for (int facets = 0; facets < 2; facets++)
+        for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+            paradt_options options = {0};
+            options.flags = facets ? PARADT_FACETS : 0;
+            paradt_triangulation t = triangulation_of(&s, &options);
+            t.cells[apex_of_a_later_neighbour(&t, facets)] = wrong[i];
+            assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_INVALID);
+            assert_int_equal(t.dim, -1);
+            paradt_free(&t);
+        }
+    sample_free(&s);
+}
+
+// A link that is no cell's, however large.
+static void links_to_nowhere_are_invalid(void **state) {
+    static const paradt_index wrong[] = {2000000000, INT32_MAX, -2, INT32_MIN};
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 500, 4);
+    paradt_points points = points_of(&s);
+    (void)state;
+    for (int facets = 0; facets < 2; facets++)
+        for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+            paradt_options options = {0};
+            options.flags = facets ? PARADT_FACETS : 0;
+            paradt_triangulation t = triangulation_of(&s, &options);
+            t.neighbors[3] = wrong[i];
+            assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_INVALID);
+            paradt_free(&t);
+        }
+    sample_free(&s);
+}
+
+// Where more than a quarter of the points are hidden, nothing is tried; where fewer are, the triangulation is repaired.
+static void many_hidden_points_are_built_anew(void **state) {
+    sample s = family_make(&families[family_named("uniform")], &weightings[0], 3, 2000, 4);
+    double weights[2000];
+    (void)state;
+    s.w = weights;
+    for (int many = 0; many < 2; many++) {
+        for (int i = 0; i < s.count; i++)
+            s.w[i] = i % 100 < (many ? 40 : 20) ? -1e6 : 0.0;
+        paradt_triangulation t = triangulation_of(&s, NULL);
+        move(&s, DRIFT, 1);
+        paradt_repair_stats stats = expect_new(&s, &t, NULL);
+        assert_true(t.stats.hidden > (many ? 700 : 300));
+        assert_int_equal(stats.rebuilt, many);
+        assert_int_equal(stats.irregular == 0, many);
+        paradt_free(&t);
+    }
+    s.w = NULL;
+    sample_free(&s);
+}
+
+// Two hidden points at one place: the later one gets weight and becomes a vertex, and stands for the other then.
+static void hidden_points_join_a_new_vertex(void **state) {
+    sample s = family_make(&families[family_named("uniform")], NULL, 2, 400, 4);
+    double weights[400] = {0};
+    (void)state;
+    s.w = weights;
+    memcpy(s.x + 2 * 5, s.x + 2 * 200, 2 * sizeof(double));
+    s.w[5] = -100.0 * s.x[0] * s.x[0] - 1e6;
+    s.w[200] = s.w[5] / 2;
+    paradt_triangulation t = triangulation_of(&s, NULL);
+    assert_true(t.representative[5] == -1 && t.representative[200] == -1);
+    s.w[200] = 0;
+    assert_int_equal(expect_new(&s, &t, NULL).rebuilt, 0);
+    assert_true(t.representative[5] == 200 && t.representative[200] == 200);
+    s.w = NULL;
+    paradt_free(&t);
     sample_free(&s);
 }
 
@@ -223,6 +336,34 @@ static void any_allocation_may_fail(void **state) {
     }
 }
 
+// Where a limit is too small, the statistics tell a larger one; a limit that is large enough is kept.
+static void limits_of_memory_are_kept(void **state) {
+    (void)state;
+    for (int anew = 0; anew < 2; anew++) {
+        sample s = family_make(&families[family_named("uniform")], NULL, 3, 1000, 4);
+        sample moved = family_make(&families[family_named("uniform")], NULL, 3, 1000, 4);
+        paradt_points points = points_of(&moved);
+        paradt_options options = {0};
+        paradt_status status = PARADT_ERROR_MEMORY;
+        paradt_repair_stats stats;
+        move(&moved, anew ? SCATTER : SHIVER, 1);
+        for (options.memory_limit = 1; status; options.memory_limit += options.memory_limit / 8 + 1) {
+            paradt_triangulation t = triangulation_of(&s, NULL);
+            status = paradt_repair(&t, &points, &options, &stats);
+            if (status) {
+                assert_int_equal(status, PARADT_ERROR_MEMORY);
+                assert_true(t.stats.needed_bytes > options.memory_limit);
+            } else {
+                assert_true(t.stats.needed_bytes == 0 && t.stats.peak_bytes <= options.memory_limit);
+            }
+            paradt_free(&t);
+        }
+        assert_int_equal(stats.rebuilt, anew);
+        sample_free(&s);
+        sample_free(&moved);
+    }
+}
+
 static void any_call_of_progress_may_cancel(void **state) {
     sample s = family_make(&families[family_named("uniform")], NULL, 3, 400, 4);
     sample moved = family_make(&families[family_named("uniform")], NULL, 3, 400, 4);
@@ -252,7 +393,13 @@ int main(void) {
         cmocka_unit_test(steps_follow_each_other),
         cmocka_unit_test(stats_tell_what_was_done),
         cmocka_unit_test(wrong_arguments_leave_the_triangulation),
+        cmocka_unit_test(what_is_to_be_built_anew_stays_until_then),
+        cmocka_unit_test(vertices_that_are_no_points_are_invalid),
+        cmocka_unit_test(links_to_nowhere_are_invalid),
+        cmocka_unit_test(many_hidden_points_are_built_anew),
+        cmocka_unit_test(hidden_points_join_a_new_vertex),
         cmocka_unit_test(any_allocation_may_fail),
+        cmocka_unit_test(limits_of_memory_are_kept),
         cmocka_unit_test(any_call_of_progress_may_cancel),
     };
     for (int f = 0; f < FAMILY_COUNT; f++) {

@@ -248,7 +248,7 @@ static void count_permutation(const subject *s, const paradt__set *set, paradt__
         double value[COUNTED] = {0};
         paradt_index *waiting;
         insert_up_to(&tree, &build, (size_t)stages[stage]);
-        waiting = (paradt_index *)need(2 * tree.count + tree.roots, sizeof *waiting); // each is in two lists at most
+        waiting = (paradt_index *)need(2 * tree.nodes.count + tree.roots, sizeof *waiting); // each is in two lists at most
         queries = s->queries < s->count - stages[stage] ? s->queries : s->count - stages[stage];
         for (i = 0; i < queries; i++)
             traverse(&tree, &build.scene, paradt__scene_record(&build.scene, order[stages[stage] + i]), sons_only,
@@ -256,7 +256,7 @@ static void count_permutation(const subject *s, const paradt__set *set, paradt__
         free(waiting);
         value[CONFLICTS] /= queries;
         value[CONFLICT_HISTORY] /= queries;
-        value[HISTORY] = (double)tree.count;
+        value[HISTORY] = (double)tree.nodes.count;
         for (i = 0; i < COUNTED; i++) {
             results[stage][i].sum += value[i];
             results[stage][i].squares += value[i] * value[i];

@@ -1,5 +1,5 @@
-// Prints, for every sample in a file, the hash of its triangulation by every method and what the certificate says. The output must
-// be the same when it is built with flags, or run in modes, that break careless floating-point code.
+// Prints, for every sample in a file, the hash of its triangulation by every method, and after its points have moved and it has been
+// repaired, and what the certificate says. The output must be the same when it is built with flags, or run in modes, that break careless floating-point code.
 // Usage: hashes FILE SHARE [MODE...]
 //   SHARE            -1: prints all lines; 0 to 6: every seventh line, beginning with this one
 //   up, down, zero   the rounding mode
@@ -59,24 +59,73 @@ static void *get(FILE *file, size_t size) {
 // Seven has no common divisor with the number of lines of a sample, so every share has lines of all methods.
 enum { SHARES = 7 };
 
+// Prints the end of a line, what came of a call, and frees the triangulation.
+static void print_result(paradt_triangulation *t, paradt_status status, const paradt_points *points,
+                         const paradt_options *options) {
+    paradt_fault fault;
+    printf("%s", paradt_status_string(status));
+    if (status == PARADT_OK) {
+        uint64_t hash = paradt_hash(t);
+        status = paradt_check(t, points, options, &fault);
+        printf(", dim %d, %lu cells, hash %08lx%08lx, certificate: %s", t->dim, (unsigned long)t->cell_count,
+               (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu), paradt_status_string(status));
+        paradt_free(t);
+    }
+    printf("\n");
+}
+
 static void print_hash(const char *name, const paradt_points *points, int method, int regions) {
     paradt_options options;
     paradt_triangulation t;
-    paradt_fault fault;
-    paradt_status status;
     memset(&options, 0, sizeof options);
     options.method = (paradt_method)method;
     options.regions = (size_t)regions;
-    status = paradt_triangulate(&t, points, &options);
-    printf("%s, %s, %d regions: %s", name, paradt_method_string(options.method), regions, paradt_status_string(status));
-    if (status == PARADT_OK) {
-        uint64_t hash = paradt_hash(&t);
-        status = paradt_check(&t, points, &options, &fault);
-        printf(", dim %d, %lu cells, hash %08lx%08lx, certificate: %s", t.dim, (unsigned long)t.cell_count,
-               (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu), paradt_status_string(status));
-        paradt_free(&t);
+    printf("%s, %s, %d regions: ", name, paradt_method_string(options.method), regions);
+    print_result(&t, paradt_triangulate(&t, points, &options), points, &options);
+}
+
+// Moves coordinates by less than 2^-exponent of their size: in their bits, so that the mode plays no part.
+static void move(void *data, size_t coordinates, int single, int exponent) {
+    uint64_t moved = 1, bits;
+    uint32_t few;
+    size_t i;
+    for (i = 0; i < coordinates; i++) {
+        moved = moved * 6364136223846793005u + 1442695040888963407u;
+        if (single) {
+            memcpy(&few, (float *)data + i, sizeof few);
+            few ^= (uint32_t)(moved >> (41 + exponent));
+            memcpy((float *)data + i, &few, sizeof few);
+        } else {
+            memcpy(&bits, (double *)data + i, sizeof bits);
+            bits ^= moved >> (12 + exponent);
+            memcpy((double *)data + i, &bits, sizeof bits);
+        }
     }
-    printf("\n");
+}
+
+enum { MOVES = 2 };
+
+static void print_repaired(const char *name, const paradt_points *points, size_t coordinates, int number) {
+    static const int exponents[MOVES] = {8, 20};
+    size_t size = coordinates * (points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double));
+    void *data = malloc(size + 1);
+    paradt_points moved = *points;
+    paradt_options options;
+    paradt_triangulation t;
+    paradt_status status;
+    if (!data)
+        exit(1);
+    memset(&options, 0, sizeof options);
+    options.flags = number ? PARADT_FACETS : 0;
+    memcpy(data, points->data, size);
+    move(data, coordinates, points->scalar == PARADT_F32, exponents[number]);
+    moved.data = data;
+    status = paradt_triangulate(&t, points, &options);
+    if (!status)
+        status = paradt_repair(&t, &moved, &options, NULL);
+    printf("%s, repaired after a move by 2^-%d: ", name, exponents[number]);
+    print_result(&t, status, &moved, &options);
+    free(data);
 }
 
 int main(int argc, char **argv) {
@@ -101,9 +150,13 @@ int main(int argc, char **argv) {
         points.dim = head[0];
         points.scalar = head[3] ? PARADT_F32 : PARADT_F64;
         points.weights = weights;
-        for (i = 0; i < 2 * PARADT_METHOD_COUNT; i++, line++) {
-            if (share < 0 || line % SHARES == share)
+        for (i = 0; i < 2 * PARADT_METHOD_COUNT + MOVES; i++, line++) {
+            if (share >= 0 && line % SHARES != share)
+                continue;
+            if (i < 2 * PARADT_METHOD_COUNT)
                 print_hash(name, &points, i / 2, i % 2 ? 3 : 0);
+            else
+                print_repaired(name, &points, count * (size_t)head[0], i - 2 * PARADT_METHOD_COUNT);
         }
         free(weights);
         free(data);
