@@ -10912,7 +10912,8 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
 //     err by 12 u at most, so g of them is as far off as another 12 u (1 + |y|), which is less than the error: the side
 //     is certain where the size exceeds twice the error.
 // (5) Numbers of a filtered set (see >>space) are so far from the limits of doubles that an underflow costs less than
-//     2^-600 of any of these bounds; B is only used while |B| |A| is at most 2^44.
+//     2^-500 of any of these bounds. Nothing overflows: with the least pivots that are taken B's entries are below
+//     1e270, and y and the bounds are only computed where |B| |A| is below 2^44, so that they are below 2^700.
 // Doors: paradt__planes_begin, paradt__planes_inner, paradt__plane_of_cell, paradt__plane_of_facet,
 // paradt__plane_unknown, paradt__plane_row, paradt__plane_value.
 
@@ -11004,9 +11005,10 @@ typedef struct paradt__system {
     double slack, sum; // the bound on the error of each y[j]; the sum of their sizes
 } paradt__system;
 
-// Inverts n rows of `columns` = n or n + 1 entries into s->b by elimination (Gauss and Jordan), each row with its
-// largest entry for pivot. column[i]: that of unknown i; after them the one left, if there is one. Returns 0 where
-// there is no pivot.
+// Inverts n rows of `columns` = n or n + 1 entries, at most 2 in size, into s->b by elimination (Gauss and Jordan),
+// each row with its largest entry for pivot. column[i]: that of unknown i; after them the one left, if there is one.
+// Returns 0 where there is no pivot. A step at most doubles the entries in columns without a pivot, and multiplies the
+// others by at most 2^9 times the inverse of the pivot: so after 8 steps none exceeds 1e263.
 PARADT__INLINE int paradt__system_eliminate(paradt__system *s, double (*m)[PARADT_MAX_DIM], int *column, int n,
                                             int columns) {
     int t, i, j;
@@ -11020,7 +11022,7 @@ PARADT__INLINE int paradt__system_eliminate(paradt__system *s, double (*m)[PARAD
         c = column[pivot];
         column[pivot] = column[t];
         column[t] = c;
-        if (!(paradt__abs(m[t][c]) > 1e-100)) return 0;
+        if (!(paradt__abs(m[t][c]) > 1e-30)) return 0;
         inverse = 1.0 / m[t][c];
         m[t][c] = 1.0;
         for (j = 0; j < columns; j++) m[t][j] *= inverse;
@@ -11084,6 +11086,16 @@ PARADT__INLINE int paradt__system_invert(paradt__system *s, int n) {
 PARADT__INLINE int paradt__system_solve(paradt__system *s, int n) {
     double residual[PARADT_MAX_DIM], norm_a = 0.0, norm_b = 0.0, norm_r = 0.0, slack = 0.0;
     int i, j, k;
+    for (i = 0; i < n; i++) {
+        double row_a = 0.0, row_b = 0.0;
+        for (j = 0; j < n; j++) {
+            row_a += paradt__abs(s->a[i][j]);
+            row_b += paradt__abs(s->b[i][j]);
+        }
+        norm_a = paradt__larger(norm_a, row_a);
+        norm_b = paradt__larger(norm_b, row_b);
+    }
+    if (!(norm_b * norm_a < 17592186044416.0)) return 0; // 2^44
     s->sum = 0.0;
     for (i = 0; i < n; i++) {
         double y = 0.0;
@@ -11092,34 +11104,27 @@ PARADT__INLINE int paradt__system_solve(paradt__system *s, int n) {
         s->sum += paradt__abs(y);
     }
     for (i = 0; i < n; i++) {
-        double rest = s->l[i], size = s->size[i], row = 0.0;
+        double rest = s->l[i], size = s->size[i];
         for (j = 0; j < n; j++) {
             double term = s->a[i][j] * s->y[j];
             rest -= term;
             size += paradt__abs(term);
-            row += paradt__abs(s->a[i][j]);
         }
         residual[i] = paradt__abs(rest) + 32.0 * PARADT__ROUNDOFF * size;
-        norm_a = paradt__larger(norm_a, row);
     }
     for (i = 0; i < n; i++) {
-        double sum = 0.0, row = 0.0, off = 0.0;
-        for (k = 0; k < n; k++) {
-            row += paradt__abs(s->b[i][k]);
-            sum += paradt__abs(s->b[i][k]) * residual[k];
-        }
+        double sum = 0.0, off = 0.0;
+        for (k = 0; k < n; k++) sum += paradt__abs(s->b[i][k]) * residual[k];
         for (j = 0; j < n; j++) {
             double r = i == j ? 1.0 : 0.0;
             for (k = 0; k < n; k++) r -= s->b[i][k] * s->a[k][j];
             off += paradt__abs(r);
         }
-        norm_b = paradt__larger(norm_b, row);
         norm_r = paradt__larger(norm_r, off);
         slack = paradt__larger(slack, sum);
     }
     s->slack = 2.0 * slack;
-    return norm_b * norm_a < 17592186044416.0 && // 2^44
-           norm_r + 16.0 * PARADT__ROUNDOFF * n * (1.0 + norm_b * norm_a) < 0.49;
+    return norm_r + 16.0 * PARADT__ROUNDOFF * n * (1.0 + norm_b * norm_a) < 0.49;
 }
 
 // A plane by which nothing is certain
@@ -12135,9 +12140,14 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
                                          const paradt__team *team, paradt__memory *memory, paradt__mesh *mesh,
                                          paradt__counters *counters) {
     const int dim = set->space.dim;
+    paradt__team own = *team;
     paradt__graph g;
     paradt_status status;
     memset(&g, 0, sizeof g);
+#if !defined(PARADT__ATOMICS)
+    own.tasks = 1; // for tasks share numbers and the table of ridges
+#endif
+    team = &own;
     g.set = set;
     g.team = team;
     g.memory = memory;
@@ -12150,7 +12160,9 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
     g.expected = (double)set->count * paradt__cells_a_point(dim) + 1.0; // places are taken again
     paradt__mesh_begin(&g.mesh, side == PARADT__ROUND ? dim : dim + 1, 0);
     paradt__planes_begin(&g.planes, &set->space, side != PARADT__ROUND);
-    status = order ? paradt__graph_arrays(&g) : PARADT_ERROR_MEMORY;
+    status = !order                                     ? PARADT_ERROR_MEMORY
+             : set->count > (size_t)PARADT__NOWHERE / 2 ? PARADT_ERROR_TOO_LARGE // twice a position is to be an index
+                                                        : paradt__graph_arrays(&g);
     if (!status) {
         paradt__graph_span_first(&g);
         status = paradt__graph_start(&g);
@@ -17381,7 +17393,7 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
         }
         *pays = !status && 2 * vertices < count; // else more than half of all points are outside
     }
-    *pays = *pays && paradt__sieve_scale(sieve, high, next);
+    *pays = *pays && mesh.count <= (size_t)INT32_MAX && paradt__sieve_scale(sieve, high, next);
     if (*pays) status = paradt__sieve_make(sieve, &mesh, &set, coordinates, memory);
     paradt__mesh_free(&mesh, memory);
     paradt__set_free(&set, memory);
