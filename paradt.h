@@ -11234,17 +11234,22 @@ PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double
 //
 // Facets of new cells that wait for their mirrors, entered by many threads concurrently: open addressing with linear
 // probing, by compare and swap. Each facet comes twice. The first comer takes the first slot that is empty; the second
-// finds it there, and marks the slot as taken. Slots become empty again only when the table is made anew, while no task
-// runs, or by a thread that is alone: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the
-// first comer had written before it entered the facet.
+// finds it there, and marks the slot as taken. Slots become empty again only when the table is swept, while nobody
+// enters facets, or by a thread that is alone: otherwise a facet could miss its mirror. Whoever finds a mirror sees all
+// that the first comer had written before it entered the facet.
 // Doors: paradt__ridge_part, paradt__ridge_sum, paradt__ridge_hash, paradt__ridges_room, paradt__ridges_match,
 // paradt__ridges_match_alone, paradt__ridges_fetch, paradt__ridges_probable, paradt__ridges_free.
 
 // A slot holds a handle and, where there is room for it, a tag that tells most facets apart: the upper bits of the
-// hash.
+// hash. A tag of 32 bits also tells where the search for the facet begins.
 #if SIZE_MAX > UINT32_MAX
 typedef uint64_t paradt__slot;
-#define PARADT__SLOT_TAG ((uint64_t)65535 << 48)
+#ifdef PARADT_INDEX64
+#define PARADT__SLOT_TAG ((uint64_t)UINT16_MAX << 48)
+#else
+#define PARADT__SLOT_TAG ((uint64_t)UINT32_MAX << 32)
+#define PARADT__SLOT_TELLS
+#endif
 #else
 typedef paradt__tag paradt__slot;
 #define PARADT__SLOT_TAG ((uint64_t)0)
@@ -11279,7 +11284,11 @@ PARADT__INLINE uint64_t paradt__ridge_hash(uint64_t sum) {
 
 // The number of the slot where the search for a facet begins
 PARADT__INLINE size_t paradt__ridge_slot(const paradt__ridges *ridges, uint64_t hash) {
+#ifdef PARADT__SLOT_TELLS
+    return (size_t)(hash >> 32) & ridges->mask;
+#else
     return (size_t)(hash >> 20) & ridges->mask;
+#endif
 }
 
 PARADT__INLINE paradt__slot paradt__ridge_entry(uint64_t hash, paradt_index handle) {
@@ -11357,32 +11366,114 @@ PARADT__INLINE paradt_index paradt__ridges_match_alone(const paradt__ridges *rid
     return -1;
 }
 
-// Makes room for `more` facets; no task runs. At most half of the slots are ever used.
-static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__mesh *mesh, size_t more,
-                                         paradt__memory *memory) {
-    size_t size = ridges->slots ? ridges->mask + 1 : 0, waiting = 0, larger = 256, i, j;
-    paradt__slot *old = ridges->slots, *slots;
-    if (2 * (ridges->used + more) <= size) return PARADT_OK;
-    for (i = 0; i < size; i++) waiting += old[i] < PARADT__SLOT_TAKEN;
-    while (larger < 4 * (waiting + more)) larger *= 2;
-    slots = (paradt__slot *)paradt__alloc(memory, larger, sizeof *slots);
-    if (!slots) return PARADT_ERROR_MEMORY;
-    memset(slots, -1, larger * sizeof *slots);
-    ridges->slots = slots;
-    ridges->mask = larger - 1;
-    ridges->used = waiting;
-    for (i = 0; i < size; i++) {
-        const paradt_index *row;
-        paradt_index handle = paradt__ridge_handle(old[i]);
-        uint64_t hash;
-        if (old[i] >= PARADT__SLOT_TAKEN) continue;
-        row = paradt__mesh_row(mesh, handle / mesh->corners);
-        hash =
-            paradt__ridge_hash(paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[handle % mesh->corners]));
-        for (j = paradt__ridge_slot(ridges, hash); slots[j] != PARADT__SLOT_EMPTY;) j = (j + 1) & ridges->mask;
-        slots[j] = old[i];
+// --- between two rounds
+
+// Tasks that sweep the table, or move its facets to a larger one
+typedef struct paradt__ridges_sweep {
+    paradt__ridges *ridges;
+    const paradt__mesh *mesh;
+    const paradt__team *team;
+    paradt__ridges larger;
+    size_t begin[PARADT__MOST_TASKS + 1]; // where the part of each task begins
+    size_t kept[PARADT__MOST_TASKS];      // facets in it
+} paradt__ridges_sweep;
+
+// The number of the slot where the search for a facet in the table begins
+PARADT__INLINE size_t paradt__ridges_home(const paradt__ridges *ridges, const paradt__mesh *mesh, paradt__slot slot) {
+#ifdef PARADT__SLOT_TELLS
+    (void)mesh;
+    return paradt__ridge_slot(ridges, slot);
+#else
+    paradt_index handle = paradt__ridge_handle(slot);
+    const paradt_index *row = paradt__mesh_row(mesh, handle / mesh->corners);
+    uint64_t sum = paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[handle % mesh->corners]);
+    return paradt__ridge_slot(ridges, paradt__ridge_hash(sum));
+#endif
+}
+
+// Empties the slots of a task's part that are taken, and moves facets back into slots between. A part begins with an
+// empty slot, and so does the next one: so no search leads from one into another.
+static void paradt__ridges_sweep_task(void *context, size_t task) {
+    paradt__ridges_sweep *sweep = (paradt__ridges_sweep *)context;
+    const paradt__ridges *ridges = sweep->ridges;
+    const size_t mask = ridges->mask;
+    paradt__slot *slots = ridges->slots;
+    size_t i, kept = 0;
+    for (i = sweep->begin[task]; i < sweep->begin[task + 1]; i++) {
+        paradt__slot slot = slots[i & mask];
+        size_t at;
+        if (slot == PARADT__SLOT_EMPTY) continue;
+        slots[i & mask] = PARADT__SLOT_EMPTY;
+        if (slot == PARADT__SLOT_TAKEN) continue;
+        for (at = paradt__ridges_home(ridges, sweep->mesh, slot); slots[at] != PARADT__SLOT_EMPTY;)
+            at = (at + 1) & mask;
+        slots[at] = slot;
+        kept++;
     }
-    paradt__release(memory, old);
+    sweep->kept[task] = kept;
+}
+
+// Sweeps the table.
+static void paradt__ridges_sweep_all(paradt__ridges_sweep *sweep) {
+    paradt__ridges *ridges = sweep->ridges;
+    size_t size = ridges->mask + 1, tasks = sweep->team->tasks, task;
+    for (task = 0; task < tasks; task++) {
+        size_t at = size / tasks * task;
+        while (ridges->slots[at & ridges->mask] != PARADT__SLOT_EMPTY) at++;
+        sweep->begin[task] = at;
+    }
+    sweep->begin[tasks] = sweep->begin[0] + size;
+    paradt__team_run(sweep->team, paradt__ridges_sweep_task, sweep);
+    for (task = ridges->used = 0; task < tasks; task++) ridges->used += sweep->kept[task];
+}
+
+static void paradt__ridges_clear_task(void *context, size_t task) {
+    paradt__ridges_sweep *sweep = (paradt__ridges_sweep *)context;
+    size_t part = (sweep->larger.mask + 1) / sweep->team->tasks, begin = part * task;
+    size_t end = task + 1 < sweep->team->tasks ? begin + part : sweep->larger.mask + 1;
+    memset(sweep->larger.slots + begin, -1, (end - begin) * sizeof *sweep->larger.slots);
+}
+
+// Enters a task's facets in the larger table.
+static void paradt__ridges_move_task(void *context, size_t task) {
+    paradt__ridges_sweep *sweep = (paradt__ridges_sweep *)context;
+    const paradt__ridges *larger = &sweep->larger;
+    size_t i;
+    for (i = sweep->begin[task]; i < sweep->begin[task + 1]; i++) {
+        paradt__slot slot = sweep->ridges->slots[i & sweep->ridges->mask], empty = PARADT__SLOT_EMPTY;
+        size_t at;
+        if (slot >= PARADT__SLOT_TAKEN) continue;
+        at = paradt__ridges_home(larger, sweep->mesh, slot);
+        while (PARADT__ATOMIC_LOAD(larger->slots + at) != PARADT__SLOT_EMPTY ||
+               !PARADT__ATOMIC_ENTER(larger->slots + at, &empty, slot)) {
+            empty = PARADT__SLOT_EMPTY;
+            at = (at + 1) & larger->mask;
+        }
+    }
+}
+
+// Makes room for `more` facets, by the team's tasks; none runs when it is called. At most half of the slots are ever
+// used.
+static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__mesh *mesh, size_t more,
+                                         const paradt__team *team, paradt__memory *memory) {
+    paradt__ridges_sweep sweep;
+    size_t size = ridges->slots ? ridges->mask + 1 : 0;
+    if (2 * (ridges->used + more) <= size) return PARADT_OK;
+    memset(&sweep, 0, sizeof sweep);
+    sweep.ridges = ridges;
+    sweep.mesh = mesh;
+    sweep.team = team;
+    if (size) paradt__ridges_sweep_all(&sweep);
+    if (4 * (ridges->used + more) <= size) return PARADT_OK;
+    sweep.larger.used = ridges->used;
+    for (size = 256; size < 4 * (ridges->used + more);) size *= 2;
+    sweep.larger.mask = size - 1;
+    sweep.larger.slots = (paradt__slot *)paradt__alloc(memory, size, sizeof *sweep.larger.slots);
+    if (!sweep.larger.slots) return PARADT_ERROR_MEMORY;
+    paradt__team_run(team, paradt__ridges_clear_task, &sweep);
+    if (ridges->used) paradt__team_run(team, paradt__ridges_move_task, &sweep);
+    paradt__release(memory, ridges->slots);
+    *ridges = sweep.larger;
     return PARADT_OK;
 }
 
@@ -11558,7 +11649,8 @@ enum {
     PARADT__ROUND_WORK = 1 << 21,  // points tested in a round, by each task
     PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
     PARADT__ROUND_FIRST = 1 << 6,  // or by each of several in the first round,
-    PARADT__ROUND_SHARE = 1 << 14, // and in the last
+    PARADT__ROUND_SHARE = 1 << 11, // and in the last
+    PARADT__SHARED_FACETS = 1 << 6, // facets for each task
     PARADT__CHECK_WORK = 1 << 18   // points tested between two looks at whether the call is cancelled
 };
 
@@ -11891,7 +11983,8 @@ static paradt_status paradt__graph_room(paradt__graph *g) {
         g->cells = (paradt__graph_cell *)cells;
         g->cell_capacity = mesh->capacity;
     }
-    return status ? status : paradt__ridges_room(&g->ridges, mesh, most * (size_t)(mesh->corners - 1), g->memory);
+    return status ? status
+                  : paradt__ridges_room(&g->ridges, mesh, most * (size_t)(mesh->corners - 1), g->team, g->memory);
 }
 
 // Moves the first `count` of a task's facets to those that all share.
@@ -11907,9 +12000,10 @@ static paradt_status paradt__graph_share(paradt__graph *g, paradt__graph_task *t
     return PARADT_OK;
 }
 
-// Ends a round: settled places may be taken; and of several tasks each shares the older half of the facets that it has
-// left, and keeps those that are likely to be in its cache.
+// Ends a round: settled places may be taken; and where the tasks share few facets, each adds some of the oldest that it
+// has left, from which most cells follow, and keeps those that are likely to be in its cache.
 static paradt_status paradt__graph_collect(paradt__graph *g) {
+    const size_t enough = g->team->tasks > 1 ? g->team->tasks * (size_t)PARADT__SHARED_FACETS : 0;
     size_t left = 0, i;
     paradt_status status = PARADT_OK;
     for (; g->next < g->ready.count; g->next++) g->ready.items[left++] = g->ready.items[g->next];
@@ -11927,7 +12021,10 @@ static paradt_status paradt__graph_collect(paradt__graph *g) {
             task->spare.count += task->settled.count;
             task->settled.count = 0;
         }
-        if (!status && g->team->tasks > 1) status = paradt__graph_share(g, task, (task->ready.count + 1) / 2);
+        if (!status && g->ready.count < enough) {
+            size_t half = (task->ready.count + 1) / 2;
+            status = paradt__graph_share(g, task, half < enough ? half : enough);
+        }
     }
     return status;
 }
@@ -11959,6 +12056,23 @@ static int paradt__graph_first_place(int dim, int solid, int i, int j) {
     return (solid || (dim - i) % 2 == 0) && place < 2 ? 1 - place : place;
 }
 
+// Returns how many places to make room for in the beginning: as many as points that are spread evenly take in the end,
+// or in space the facets of any hull; then the arrays need not grow. Few where that is not known, or where it would be
+// much of a limited memory.
+static size_t paradt__graph_expected(const paradt__graph *g) {
+    const int dim = g->set->space.dim, known = g->side == PARADT__ROUND ? dim < 4 : g->side == PARADT__LOWER;
+    const double some = (double)(1 << 20), few = dim + 2; // some: in more dimensions other points may take far fewer
+    double count = (double)g->set->count, rounds = (double)(g->most_cells * g->team->tasks), bytes;
+    if (!known || g->set->space.weighted) return (size_t)few;
+    if (g->side == PARADT__ROUND) count *= dim - 1;
+    else count *= paradt__cells_a_point(dim) * paradt__off_hull(count, dim) * (dim < 5 ? 1.04 : 1.2);
+    count += rounds;
+    if (dim > 3 && count > some) count = some;
+    if (count > (double)paradt__most_cells(g->mesh.corners)) return (size_t)few;
+    bytes = count * (2.0 * g->mesh.corners * sizeof(paradt_index) + sizeof(paradt__graph_cell));
+    return bytes < 0.25 * (double)(g->memory->limit - g->memory->held) ? (size_t)count : (size_t)few;
+}
+
 // Makes the first cells: the first simplex at place 0, unless facets alone are wanted, and then the ghost or facet
 // opposite each of its vertices.
 static paradt_status paradt__graph_first_cells(paradt__graph *g) {
@@ -11967,7 +12081,7 @@ static paradt_status paradt__graph_first_cells(paradt__graph *g) {
     const double *p[PARADT_MAX_DIM + 1];
     paradt_index *simplex = g->basis;
     int i, j;
-    paradt_status status = paradt__mesh_reserve(mesh, (size_t)dim + 2, (size_t)dim + 2, g->memory);
+    paradt_status status = paradt__mesh_reserve(mesh, (size_t)dim + 2, paradt__graph_expected(g), g->memory);
     if (status) return status;
     for (i = 0; i <= dim; i++) p[i] = paradt__record(g->set, simplex[i]);
     paradt__planes_inner(&g->planes, p);
