@@ -11617,9 +11617,11 @@ typedef struct paradt__graph_task {
     paradt__list settled; // places given back in this round
     paradt_index *merged; // [merged_capacity] two lists, merged
     size_t merged_capacity;
-    ptrdiff_t entered; // slots of the table of ridges that are used, by this round
-    size_t check;      // how much work there is when it is asked next whether the call is cancelled
-    size_t work;       // done in this round, in points tested
+    ptrdiff_t entered;             // slots of the table of ridges that are used, by this round
+    size_t check;                  // how much work there is when it is asked next whether the call is cancelled
+    size_t work;                   // done in this round, in points tested
+    paradt_index fresh, fresh_end; // places that have never been taken and that no other task takes
+    char apart[128];               // so that no two tasks write into one cache line
 } paradt__graph_task;
 
 typedef struct paradt__graph {
@@ -11638,6 +11640,7 @@ typedef struct paradt__graph {
     paradt__ridges ridges;
     paradt__list ready;       // facets that are ready when a round begins,
     size_t next;              // and the number of them that tasks have taken
+    int ends;                 // 1: a task has ended its part of the round, and the others are to follow soon
     paradt__graph_task *task; // [team->tasks]
     size_t round_cells;       // cells that a task may make in a round: of several tasks few in the beginning, when few
     size_t most_cells;        // facets are ready to be shared, and so many in the end
@@ -11645,13 +11648,15 @@ typedef struct paradt__graph {
 } paradt__graph;
 
 enum {
-    PARADT__CELL_WORK = 64,        // making a cell without a list takes as long as testing so many points
-    PARADT__ROUND_WORK = 1 << 21,  // points tested in a round, by each task
-    PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
-    PARADT__ROUND_FIRST = 1 << 6,  // or by each of several in the first round,
-    PARADT__ROUND_SHARE = 1 << 11, // and in the last
-    PARADT__SHARED_FACETS = 1 << 6, // facets for each task
-    PARADT__CHECK_WORK = 1 << 18   // points tested between two looks at whether the call is cancelled
+    PARADT__CELL_WORK = 64,         // making a cell without a list takes as long as testing so many points
+    PARADT__ROUND_WORK = 1 << 21,   // points tested in a round, by each task, at most,
+    PARADT__LEAST_WORK = 1 << 13,   // or at least, before it ends its part because another one has
+    PARADT__ROUND_CELLS = 1 << 11,  // cells made in a round by one task alone,
+    PARADT__ROUND_FIRST = 1 << 6,   // or by each of several in the first round,
+    PARADT__ROUND_SHARE = 1 << 13,  // and in the last
+    PARADT__SHARED_FACETS = 1 << 6, // that each of several tasks shares, when there are few
+    PARADT__FRESH_PLACES = 1 << 6,  // that a task gets at once
+    PARADT__CHECK_WORK = 1 << 18    // points tested between two looks at whether the call is cancelled
 };
 
 // --- who is in conflict
@@ -11865,15 +11870,23 @@ PARADT__INLINE void paradt__graph_prepare(const paradt__graph *g, paradt__graph_
     }
 }
 
+// Takes a place for a cell.
+PARADT__INLINE paradt_index paradt__graph_place(paradt__graph *g, paradt__graph_task *task) {
+    if (task->spare.count) return task->spare.items[--task->spare.count];
+    if (task->fresh == task->fresh_end) {
+        task->fresh_end = (paradt_index)PARADT__ATOMIC_ADD(&g->mesh.count, PARADT__FRESH_PLACES);
+        task->fresh = task->fresh_end - PARADT__FRESH_PLACES;
+    }
+    return task->fresh++;
+}
+
 // Makes the cell of a facet that is ready.
 PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task,
                                                   const paradt__graph_job *job, int dim, int terms) {
     const int corners = terms > dim ? dim + 1 : dim;
     paradt__mesh *mesh = &g->mesh;
     const paradt__graph_cell *old = g->cells + job->old, *beside = g->cells + job->beside;
-    const paradt_index made = task->spare.count ? task->spare.items[--task->spare.count]
-                                                : (paradt_index)PARADT__ATOMIC_ADD(&mesh->count, 1) - 1;
-    const paradt_index base = made * corners;
+    const paradt_index made = paradt__graph_place(g, task), base = made * corners;
     paradt__graph_cell *cell = g->cells + made;
     size_t count = (size_t)old->count + (size_t)beside->count, both;
     paradt__plane plane;
@@ -11913,6 +11926,7 @@ PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_t
 // Is the task to end the round, after so many cells? Now and then asks whether the call is cancelled.
 PARADT__INLINE int paradt__graph_pauses(const paradt__graph *g, paradt__graph_task *task, size_t index, size_t cells) {
     if (task->status || cells >= g->round_cells || task->work >= PARADT__ROUND_WORK) return 1;
+    if (task->work >= PARADT__LEAST_WORK && PARADT__ATOMIC_LOAD(&g->ends)) return 1;
     if (task->work < task->check) return 0;
     task->check = task->work + PARADT__CHECK_WORK;
     if (paradt__team_cancels(g->team, index, (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected))
@@ -11938,6 +11952,7 @@ PARADT__INLINE void paradt__graph_work(paradt__graph *g, paradt__graph_task *tas
         if (next >= 0) paradt__graph_prepare(g, jobs + (~cells & 1), next, corners);
     }
     if (next >= 0 && !task->status) task->status = paradt__list_append(&task->ready, next, &task->memory);
+    PARADT__ATOMIC_SET(&g->ends, 1);
 }
 
 static void paradt__graph_task_round(void *context, size_t index) {
@@ -11973,7 +11988,8 @@ static paradt_status paradt__graph_team(paradt__graph *g, void (*run)(void *cont
 // Makes room for all that a round can make.
 static paradt_status paradt__graph_room(paradt__graph *g) {
     paradt__mesh *mesh = &g->mesh;
-    size_t most = g->round_cells * g->team->tasks, needed = mesh->count + most;
+    size_t most = g->round_cells * g->team->tasks;
+    size_t needed = mesh->count + most + g->team->tasks * (size_t)PARADT__FRESH_PLACES;
     void *cells = g->cells;
     paradt_status status = PARADT_OK;
     if (needed > mesh->capacity)
@@ -12009,6 +12025,7 @@ static paradt_status paradt__graph_collect(paradt__graph *g) {
     for (; g->next < g->ready.count; g->next++) g->ready.items[left++] = g->ready.items[g->next];
     g->ready.count = left;
     g->next = 0;
+    g->ends = 0;
     for (i = 0; i < g->team->tasks && !status; i++) {
         paradt__graph_task *task = g->task + i;
         g->ridges.used += (size_t)task->entered; // which may be negative
@@ -12062,11 +12079,11 @@ static int paradt__graph_first_place(int dim, int solid, int i, int j) {
 static size_t paradt__graph_expected(const paradt__graph *g) {
     const int dim = g->set->space.dim, known = g->side == PARADT__ROUND ? dim < 4 : g->side == PARADT__LOWER;
     const double some = (double)(1 << 20), few = dim + 2; // some: in more dimensions other points may take far fewer
-    double count = (double)g->set->count, rounds = (double)(g->most_cells * g->team->tasks), bytes;
+    double count = (double)g->set->count, bytes;
     if (!known || g->set->space.weighted) return (size_t)few;
     if (g->side == PARADT__ROUND) count *= dim - 1;
     else count *= paradt__cells_a_point(dim) * paradt__off_hull(count, dim) * (dim < 5 ? 1.04 : 1.2);
-    count += rounds;
+    count += (double)((g->most_cells + PARADT__FRESH_PLACES) * g->team->tasks);
     if (dim > 3 && count > some) count = some;
     if (count > (double)paradt__most_cells(g->mesh.corners)) return (size_t)few;
     bytes = count * (2.0 * g->mesh.corners * sizeof(paradt_index) + sizeof(paradt__graph_cell));
@@ -12215,9 +12232,12 @@ static paradt_status paradt__graph_start(paradt__graph *g) {
 static paradt_status paradt__graph_free_places(paradt__graph *g) {
     size_t i, j;
     for (i = 0; i < g->team->tasks; i++) {
-        const paradt__list *spare = &g->task[i].spare;
-        if (paradt__mesh_spare_room(&g->mesh, spare->count, g->memory)) return PARADT_ERROR_MEMORY;
+        paradt__graph_task *task = g->task + i;
+        const paradt__list *spare = &task->spare;
+        size_t fresh = (size_t)(task->fresh_end - task->fresh);
+        if (paradt__mesh_spare_room(&g->mesh, spare->count + fresh, g->memory)) return PARADT_ERROR_MEMORY;
         for (j = 0; j < spare->count; j++) paradt__mesh_give(&g->mesh, spare->items[j], (size_t)g->mesh.corners);
+        while (task->fresh < task->fresh_end) paradt__mesh_give(&g->mesh, task->fresh++, (size_t)g->mesh.corners);
     }
     return PARADT_OK;
 }
