@@ -1074,7 +1074,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //                       >>fringe to >>results of patches, >>regions of insertion; then paradt_mpi.h
 //     flips, tree       >>mesh, >>scene, >>insertion; >>flips, >>history, >>insertion by flips, then >>mending by flips
 //                       to >>repair; or >>Delaunay tree
-//     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph; >>lifted hull; >>hull of points to >>hull
+//     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph, >>conflict rounds; >>lifted hull; >>hull of
+//                       points to >>hull
 //
 // CONTENTS, with the lines of each section
 //
@@ -1119,10 +1120,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
 //     inserting                    211   insertions from begin to end
-//     planes                       350   conflict tests by one product, in any dimension
-//     ridge table                  162   facets that wait for their mirrors, for many threads
+//     planes                       355   conflict tests by one product, in any dimension
+//     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               700   randomized incremental construction in parallel
+//     conflict graph               345   randomized incremental construction: regions, conflicts, one facet's step
+//     conflict rounds              416   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
 //     flips                        248   circuits and their flips, in any dimension
@@ -11581,14 +11583,13 @@ static void paradt__pool_free(paradt__pool *pool, paradt__memory *memory) {
 // O(log n). The perturbation supplies the general position which that needs. By chance within rounds, each spread
 // evenly, is as good for the chains, and lists are shorter, by a tenth in space.
 //
-// Tasks work in rounds. In a round each task takes facets that are ready, and works depth first on those that become
-// ready by its work, which are in its cache; between rounds what is left is shared, and room is made for all that a
-// round can make. A cell has done its duty when all its facets are settled: each of them has buried the cell. Then its
-// list is given back, and its place when the round ends.
+// A cell has done its duty when all its facets are settled: each of them has buried the cell. Then its list is given
+// back at once, and its place when the round ends (see >>conflict rounds).
 //
 // Lists ascend by position, along Hilbert's curve where the set does, so that rows are read nearly in sequence; the
 // order of insertion is a permutation apart from that.
-// Doors: paradt__graph_build.
+// Doors: paradt__graph_prepare, paradt__graph_expand, paradt__graph_ready, paradt__graph_filter_all,
+// paradt__graph_merge_room, paradt__graph_list.
 
 typedef enum paradt__hull_side {
     PARADT__LOWER, // cells and ghosts of T(P): the lower side of the lifted points
@@ -11648,15 +11649,8 @@ typedef struct paradt__graph {
 } paradt__graph;
 
 enum {
-    PARADT__CELL_WORK = 64,         // making a cell without a list takes as long as testing so many points
-    PARADT__ROUND_WORK = 1 << 21,   // points tested in a round, by each task, at most,
-    PARADT__LEAST_WORK = 1 << 13,   // or at least, before it ends its part because another one has
-    PARADT__ROUND_CELLS = 1 << 11,  // cells made in a round by one task alone,
-    PARADT__ROUND_FIRST = 1 << 6,   // or by each of several in the first round,
-    PARADT__ROUND_SHARE = 1 << 13,  // and in the last
-    PARADT__SHARED_FACETS = 1 << 6, // that each of several tasks shares, when there are few
-    PARADT__FRESH_PLACES = 1 << 6,  // that a task gets at once
-    PARADT__CHECK_WORK = 1 << 18    // points tested between two looks at whether the call is cancelled
+    PARADT__CELL_WORK = 64,       // making a cell without a list takes as long as testing so many points
+    PARADT__FRESH_PLACES = 1 << 6 // that a task gets at once
 };
 
 // --- who is in conflict
@@ -11912,7 +11906,26 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     return status ? status : paradt__graph_match(g, task, base, job->place, job->hashes, corners);
 }
 
-// --- rounds
+// ---------------------------------------------------------------------------------------------------------------------
+// >>conflict rounds
+//
+// How tasks work through a conflict graph, from the first cells to the mesh. They work in rounds. In a round each task
+// takes facets that are ready, and works depth first on those that become ready by its work, which are in its cache.
+// When a task ends its part, because it has made as many cells as there is room for or has no facet, the others end
+// theirs soon: so none waits long for another. Between rounds room is made for all that a round can make. There is
+// little else to do then, for one thread alone: facets are shared only where few are, and the table of ridges is swept
+// by tasks.
+// Doors: paradt__graph_build.
+
+enum {
+    PARADT__ROUND_WORK = 1 << 21,   // points tested in a round, by each task, at most,
+    PARADT__LEAST_WORK = 1 << 13,   // or at least, before it ends its part because another one has
+    PARADT__ROUND_CELLS = 1 << 11,  // cells made in a round by one task alone,
+    PARADT__ROUND_FIRST = 1 << 6,   // or by each of several in the first round,
+    PARADT__ROUND_SHARE = 1 << 13,  // and in the last
+    PARADT__SHARED_FACETS = 1 << 6, // that each of several tasks shares, when there are few
+    PARADT__CHECK_WORK = 1 << 18    // points tested between two looks at whether the call is cancelled
+};
 
 // Takes a facet that is ready: one of the task's own, or one of those that all share; -1: there is none.
 PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_task *task) {
