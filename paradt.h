@@ -1124,7 +1124,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
 //     conflict graph               345   randomized incremental construction: regions, conflicts, one facet's step
-//     conflict rounds              416   the same in parallel: tasks, rounds, room
+//     conflict rounds              413   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
 //     flips                        248   circuits and their flips, in any dimension
@@ -12087,20 +12087,17 @@ static int paradt__graph_first_place(int dim, int solid, int i, int j) {
 }
 
 // Returns how many places to make room for in the beginning: as many as points that are spread evenly take in the end,
-// or in space the facets of any hull; then the arrays need not grow. Few where that is not known, or where it would be
-// much of a limited memory.
+// or in space the facets of any hull; then the arrays need not grow. Few where that is not known.
 static size_t paradt__graph_expected(const paradt__graph *g) {
     const int dim = g->set->space.dim, known = g->side == PARADT__ROUND ? dim < 4 : g->side == PARADT__LOWER;
-    const double some = (double)(1 << 20), few = dim + 2; // some: in more dimensions other points may take far fewer
-    double count = (double)g->set->count, bytes;
-    if (!known || g->set->space.weighted) return (size_t)few;
+    const double some = (double)(1 << 20); // in more dimensions other points may take far fewer
+    double count = (double)g->set->count;
+    if (!known || g->set->space.weighted) return (size_t)dim + 2;
     if (g->side == PARADT__ROUND) count *= dim - 1;
     else count *= paradt__cells_a_point(dim) * paradt__off_hull(count, dim) * (dim < 5 ? 1.04 : 1.2);
     count += (double)((g->most_cells + PARADT__FRESH_PLACES) * g->team->tasks);
     if (dim > 3 && count > some) count = some;
-    if (count > (double)paradt__most_cells(g->mesh.corners)) return (size_t)few;
-    bytes = count * (2.0 * g->mesh.corners * sizeof(paradt_index) + sizeof(paradt__graph_cell));
-    return bytes < 0.25 * (double)(g->memory->limit - g->memory->held) ? (size_t)count : (size_t)few;
+    return count < (double)paradt__most_cells(g->mesh.corners) ? (size_t)count : (size_t)dim + 2;
 }
 
 // Makes the first cells: the first simplex at place 0, unless facets alone are wanted, and then the ghost or facet
