@@ -1076,6 +1076,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     flips, tree       >>mesh, >>scene, >>insertion; >>nodes; >>flips, >>history, >>insertion by flips, then >>mending
 //                       by flips to >>repair; or >>Delaunay tree
 //     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph; >>lifted hull; >>hull of points to >>hull
+//     flips, tree       >>mesh, >>scene, >>insertion; >>flips, >>history, >>insertion by flips, then >>mending by flips
+//                       to >>repair; or >>Delaunay tree
+//     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph, >>conflict rounds; >>lifted hull; >>hull of
+//                       points to >>hull
 //
 // CONTENTS, with the lines of each section
 //
@@ -1120,10 +1124,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
 //     inserting                    213   insertions from begin to end
-//     planes                       350   conflict tests by one product, in any dimension
-//     ridge table                  162   facets that wait for their mirrors, for many threads
+//     planes                       355   conflict tests by one product, in any dimension
+//     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               695   randomized incremental construction in parallel
+//     conflict graph               345   randomized incremental construction: regions, conflicts, one facet's step
+//     conflict rounds              408   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
 //     nodes                         65   the memory of all cells ever made
@@ -11004,7 +11009,8 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
 //     err by 12 u at most, so g of them is as far off as another 12 u (1 + |y|), which is less than the error: the side
 //     is certain where the size exceeds twice the error.
 // (5) Numbers of a filtered set (see >>space) are so far from the limits of doubles that an underflow costs less than
-//     2^-600 of any of these bounds; B is only used while |B| |A| is at most 2^44.
+//     2^-500 of any of these bounds. Nothing overflows: with the least pivots that are taken B's entries are below
+//     1e270, and y and the bounds are only computed where |B| |A| is below 2^44, so that they are below 2^700.
 // Doors: paradt__planes_begin, paradt__planes_inner, paradt__plane_of_cell, paradt__plane_of_facet,
 // paradt__plane_unknown, paradt__plane_row, paradt__plane_value.
 
@@ -11096,9 +11102,10 @@ typedef struct paradt__system {
     double slack, sum; // the bound on the error of each y[j]; the sum of their sizes
 } paradt__system;
 
-// Inverts n rows of `columns` = n or n + 1 entries into s->b by elimination (Gauss and Jordan), each row with its
-// largest entry for pivot. column[i]: that of unknown i; after them the one left, if there is one. Returns 0 where
-// there is no pivot.
+// Inverts n rows of `columns` = n or n + 1 entries, at most 2 in size, into s->b by elimination (Gauss and Jordan),
+// each row with its largest entry for pivot. column[i]: that of unknown i; after them the one left, if there is one.
+// Returns 0 where there is no pivot. A step at most doubles the entries in columns without a pivot, and multiplies the
+// others by at most 2^9 times the inverse of the pivot: so after 8 steps none exceeds 1e263.
 PARADT__INLINE int paradt__system_eliminate(paradt__system *s, double (*m)[PARADT_MAX_DIM], int *column, int n,
                                             int columns) {
     int t, i, j;
@@ -11112,7 +11119,7 @@ PARADT__INLINE int paradt__system_eliminate(paradt__system *s, double (*m)[PARAD
         c = column[pivot];
         column[pivot] = column[t];
         column[t] = c;
-        if (!(paradt__abs(m[t][c]) > 1e-100)) return 0;
+        if (!(paradt__abs(m[t][c]) > 1e-30)) return 0;
         inverse = 1.0 / m[t][c];
         m[t][c] = 1.0;
         for (j = 0; j < columns; j++) m[t][j] *= inverse;
@@ -11176,6 +11183,16 @@ PARADT__INLINE int paradt__system_invert(paradt__system *s, int n) {
 PARADT__INLINE int paradt__system_solve(paradt__system *s, int n) {
     double residual[PARADT_MAX_DIM], norm_a = 0.0, norm_b = 0.0, norm_r = 0.0, slack = 0.0;
     int i, j, k;
+    for (i = 0; i < n; i++) {
+        double row_a = 0.0, row_b = 0.0;
+        for (j = 0; j < n; j++) {
+            row_a += paradt__abs(s->a[i][j]);
+            row_b += paradt__abs(s->b[i][j]);
+        }
+        norm_a = paradt__larger(norm_a, row_a);
+        norm_b = paradt__larger(norm_b, row_b);
+    }
+    if (!(norm_b * norm_a < 17592186044416.0)) return 0; // 2^44
     s->sum = 0.0;
     for (i = 0; i < n; i++) {
         double y = 0.0;
@@ -11184,34 +11201,27 @@ PARADT__INLINE int paradt__system_solve(paradt__system *s, int n) {
         s->sum += paradt__abs(y);
     }
     for (i = 0; i < n; i++) {
-        double rest = s->l[i], size = s->size[i], row = 0.0;
+        double rest = s->l[i], size = s->size[i];
         for (j = 0; j < n; j++) {
             double term = s->a[i][j] * s->y[j];
             rest -= term;
             size += paradt__abs(term);
-            row += paradt__abs(s->a[i][j]);
         }
         residual[i] = paradt__abs(rest) + 32.0 * PARADT__ROUNDOFF * size;
-        norm_a = paradt__larger(norm_a, row);
     }
     for (i = 0; i < n; i++) {
-        double sum = 0.0, row = 0.0, off = 0.0;
-        for (k = 0; k < n; k++) {
-            row += paradt__abs(s->b[i][k]);
-            sum += paradt__abs(s->b[i][k]) * residual[k];
-        }
+        double sum = 0.0, off = 0.0;
+        for (k = 0; k < n; k++) sum += paradt__abs(s->b[i][k]) * residual[k];
         for (j = 0; j < n; j++) {
             double r = i == j ? 1.0 : 0.0;
             for (k = 0; k < n; k++) r -= s->b[i][k] * s->a[k][j];
             off += paradt__abs(r);
         }
-        norm_b = paradt__larger(norm_b, row);
         norm_r = paradt__larger(norm_r, off);
         slack = paradt__larger(slack, sum);
     }
     s->slack = 2.0 * slack;
-    return norm_b * norm_a < 17592186044416.0 && // 2^44
-           norm_r + 16.0 * PARADT__ROUNDOFF * n * (1.0 + norm_b * norm_a) < 0.49;
+    return norm_r + 16.0 * PARADT__ROUNDOFF * n * (1.0 + norm_b * norm_a) < 0.49;
 }
 
 // A plane by which nothing is certain
@@ -11321,17 +11331,22 @@ PARADT__INLINE void paradt__plane_of_facet(const paradt__planes *f, const double
 //
 // Facets of new cells that wait for their mirrors, entered by many threads concurrently: open addressing with linear
 // probing, by compare and swap. Each facet comes twice. The first comer takes the first slot that is empty; the second
-// finds it there, and marks the slot as taken. Slots become empty again only when the table is made anew, while no task
-// runs, or by a thread that is alone: otherwise a facet could miss its mirror. Whoever finds a mirror sees all that the
-// first comer had written before it entered the facet.
+// finds it there, and marks the slot as taken. Slots become empty again only when the table is swept, while nobody
+// enters facets, or by a thread that is alone: otherwise a facet could miss its mirror. Whoever finds a mirror sees all
+// that the first comer had written before it entered the facet.
 // Doors: paradt__ridge_part, paradt__ridge_sum, paradt__ridge_hash, paradt__ridges_room, paradt__ridges_match,
 // paradt__ridges_match_alone, paradt__ridges_fetch, paradt__ridges_probable, paradt__ridges_free.
 
 // A slot holds a handle and, where there is room for it, a tag that tells most facets apart: the upper bits of the
-// hash.
+// hash. A tag of 32 bits also tells where the search for the facet begins.
 #if SIZE_MAX > UINT32_MAX
 typedef uint64_t paradt__slot;
-#define PARADT__SLOT_TAG ((uint64_t)65535 << 48)
+#ifdef PARADT_INDEX64
+#define PARADT__SLOT_TAG ((uint64_t)UINT16_MAX << 48)
+#else
+#define PARADT__SLOT_TAG ((uint64_t)UINT32_MAX << 32)
+#define PARADT__SLOT_TELLS
+#endif
 #else
 typedef paradt__tag paradt__slot;
 #define PARADT__SLOT_TAG ((uint64_t)0)
@@ -11366,7 +11381,11 @@ PARADT__INLINE uint64_t paradt__ridge_hash(uint64_t sum) {
 
 // The number of the slot where the search for a facet begins
 PARADT__INLINE size_t paradt__ridge_slot(const paradt__ridges *ridges, uint64_t hash) {
+#ifdef PARADT__SLOT_TELLS
+    return (size_t)(hash >> 32) & ridges->mask;
+#else
     return (size_t)(hash >> 20) & ridges->mask;
+#endif
 }
 
 PARADT__INLINE paradt__slot paradt__ridge_entry(uint64_t hash, paradt_index handle) {
@@ -11444,32 +11463,114 @@ PARADT__INLINE paradt_index paradt__ridges_match_alone(const paradt__ridges *rid
     return -1;
 }
 
-// Makes room for `more` facets; no task runs. At most half of the slots are ever used.
-static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__mesh *mesh, size_t more,
-                                         paradt__memory *memory) {
-    size_t size = ridges->slots ? ridges->mask + 1 : 0, waiting = 0, larger = 256, i, j;
-    paradt__slot *old = ridges->slots, *slots;
-    if (2 * (ridges->used + more) <= size) return PARADT_OK;
-    for (i = 0; i < size; i++) waiting += old[i] < PARADT__SLOT_TAKEN;
-    while (larger < 4 * (waiting + more)) larger *= 2;
-    slots = (paradt__slot *)paradt__alloc(memory, larger, sizeof *slots);
-    if (!slots) return PARADT_ERROR_MEMORY;
-    memset(slots, -1, larger * sizeof *slots);
-    ridges->slots = slots;
-    ridges->mask = larger - 1;
-    ridges->used = waiting;
-    for (i = 0; i < size; i++) {
-        const paradt_index *row;
-        paradt_index handle = paradt__ridge_handle(old[i]);
-        uint64_t hash;
-        if (old[i] >= PARADT__SLOT_TAKEN) continue;
-        row = paradt__mesh_row(mesh, handle / mesh->corners);
-        hash =
-            paradt__ridge_hash(paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[handle % mesh->corners]));
-        for (j = paradt__ridge_slot(ridges, hash); slots[j] != PARADT__SLOT_EMPTY;) j = (j + 1) & ridges->mask;
-        slots[j] = old[i];
+// --- between two rounds
+
+// Tasks that sweep the table, or move its facets to a larger one
+typedef struct paradt__ridges_sweep {
+    paradt__ridges *ridges;
+    const paradt__mesh *mesh;
+    const paradt__team *team;
+    paradt__ridges larger;
+    size_t begin[PARADT__MOST_TASKS + 1]; // where the part of each task begins
+    size_t kept[PARADT__MOST_TASKS];      // facets in it
+} paradt__ridges_sweep;
+
+// The number of the slot where the search for a facet in the table begins
+PARADT__INLINE size_t paradt__ridges_home(const paradt__ridges *ridges, const paradt__mesh *mesh, paradt__slot slot) {
+#ifdef PARADT__SLOT_TELLS
+    (void)mesh;
+    return paradt__ridge_slot(ridges, slot);
+#else
+    paradt_index handle = paradt__ridge_handle(slot);
+    const paradt_index *row = paradt__mesh_row(mesh, handle / mesh->corners);
+    uint64_t sum = paradt__ridge_sum(row, mesh->corners) - paradt__ridge_part(row[handle % mesh->corners]);
+    return paradt__ridge_slot(ridges, paradt__ridge_hash(sum));
+#endif
+}
+
+// Empties the slots of a task's part that are taken, and moves facets back into slots between. A part begins with an
+// empty slot, and so does the next one: so no search leads from one into another.
+static void paradt__ridges_sweep_task(void *context, size_t task) {
+    paradt__ridges_sweep *sweep = (paradt__ridges_sweep *)context;
+    const paradt__ridges *ridges = sweep->ridges;
+    const size_t mask = ridges->mask;
+    paradt__slot *slots = ridges->slots;
+    size_t i, kept = 0;
+    for (i = sweep->begin[task]; i < sweep->begin[task + 1]; i++) {
+        paradt__slot slot = slots[i & mask];
+        size_t at;
+        if (slot == PARADT__SLOT_EMPTY) continue;
+        slots[i & mask] = PARADT__SLOT_EMPTY;
+        if (slot == PARADT__SLOT_TAKEN) continue;
+        for (at = paradt__ridges_home(ridges, sweep->mesh, slot); slots[at] != PARADT__SLOT_EMPTY;)
+            at = (at + 1) & mask;
+        slots[at] = slot;
+        kept++;
     }
-    paradt__release(memory, old);
+    sweep->kept[task] = kept;
+}
+
+// Sweeps the table.
+static void paradt__ridges_sweep_all(paradt__ridges_sweep *sweep) {
+    paradt__ridges *ridges = sweep->ridges;
+    size_t size = ridges->mask + 1, tasks = sweep->team->tasks, task;
+    for (task = 0; task < tasks; task++) {
+        size_t at = size / tasks * task;
+        while (ridges->slots[at & ridges->mask] != PARADT__SLOT_EMPTY) at++;
+        sweep->begin[task] = at;
+    }
+    sweep->begin[tasks] = sweep->begin[0] + size;
+    paradt__team_run(sweep->team, paradt__ridges_sweep_task, sweep);
+    for (task = ridges->used = 0; task < tasks; task++) ridges->used += sweep->kept[task];
+}
+
+static void paradt__ridges_clear_task(void *context, size_t task) {
+    paradt__ridges_sweep *sweep = (paradt__ridges_sweep *)context;
+    size_t part = (sweep->larger.mask + 1) / sweep->team->tasks, begin = part * task;
+    size_t end = task + 1 < sweep->team->tasks ? begin + part : sweep->larger.mask + 1;
+    memset(sweep->larger.slots + begin, -1, (end - begin) * sizeof *sweep->larger.slots);
+}
+
+// Enters a task's facets in the larger table.
+static void paradt__ridges_move_task(void *context, size_t task) {
+    paradt__ridges_sweep *sweep = (paradt__ridges_sweep *)context;
+    const paradt__ridges *larger = &sweep->larger;
+    size_t i;
+    for (i = sweep->begin[task]; i < sweep->begin[task + 1]; i++) {
+        paradt__slot slot = sweep->ridges->slots[i & sweep->ridges->mask], empty = PARADT__SLOT_EMPTY;
+        size_t at;
+        if (slot >= PARADT__SLOT_TAKEN) continue;
+        at = paradt__ridges_home(larger, sweep->mesh, slot);
+        while (PARADT__ATOMIC_LOAD(larger->slots + at) != PARADT__SLOT_EMPTY ||
+               !PARADT__ATOMIC_ENTER(larger->slots + at, &empty, slot)) {
+            empty = PARADT__SLOT_EMPTY;
+            at = (at + 1) & larger->mask;
+        }
+    }
+}
+
+// Makes room for `more` facets, by the team's tasks; none runs when it is called. At most half of the slots are ever
+// used.
+static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__mesh *mesh, size_t more,
+                                         const paradt__team *team, paradt__memory *memory) {
+    paradt__ridges_sweep sweep;
+    size_t size = ridges->slots ? ridges->mask + 1 : 0;
+    if (2 * (ridges->used + more) <= size) return PARADT_OK;
+    memset(&sweep, 0, sizeof sweep);
+    sweep.ridges = ridges;
+    sweep.mesh = mesh;
+    sweep.team = team;
+    if (size) paradt__ridges_sweep_all(&sweep);
+    if (4 * (ridges->used + more) <= size) return PARADT_OK;
+    sweep.larger.used = ridges->used;
+    for (size = 256; size < 4 * (ridges->used + more);) size *= 2;
+    sweep.larger.mask = size - 1;
+    sweep.larger.slots = (paradt__slot *)paradt__alloc(memory, size, sizeof *sweep.larger.slots);
+    if (!sweep.larger.slots) return PARADT_ERROR_MEMORY;
+    paradt__team_run(team, paradt__ridges_clear_task, &sweep);
+    if (ridges->used) paradt__team_run(team, paradt__ridges_move_task, &sweep);
+    paradt__release(memory, ridges->slots);
+    *ridges = sweep.larger;
     return PARADT_OK;
 }
 
@@ -11577,14 +11678,13 @@ static void paradt__pool_free(paradt__pool *pool, paradt__memory *memory) {
 // O(log n). The perturbation supplies the general position which that needs. By chance within rounds, each spread
 // evenly, is as good for the chains, and lists are shorter, by a tenth in space.
 //
-// Tasks work in rounds. In a round each task takes facets that are ready, and works depth first on those that become
-// ready by its work, which are in its cache; between rounds what is left is shared, and room is made for all that a
-// round can make. A cell has done its duty when all its facets are settled: each of them has buried the cell. Then its
-// list is given back, and its place when the round ends.
+// A cell has done its duty when all its facets are settled: each of them has buried the cell. Then its list is given
+// back at once, and its place when the round ends (see >>conflict rounds).
 //
 // Lists ascend by position, along Hilbert's curve where the set does, so that rows are read nearly in sequence; the
 // order of insertion is a permutation apart from that.
-// Doors: paradt__graph_build.
+// Doors: paradt__graph_prepare, paradt__graph_expand, paradt__graph_ready, paradt__graph_filter_all,
+// paradt__graph_merge_room, paradt__graph_list.
 
 typedef enum paradt__hull_side {
     PARADT__LOWER, // cells and ghosts of T(P): the lower side of the lifted points
@@ -11613,9 +11713,11 @@ typedef struct paradt__graph_task {
     paradt__list settled; // places given back in this round
     paradt_index *merged; // [merged_capacity] two lists, merged
     size_t merged_capacity;
-    ptrdiff_t entered; // slots of the table of ridges that are used, by this round
-    size_t check;      // how much work there is when it is asked next whether the call is cancelled
-    size_t work;       // done in this round, in points tested
+    ptrdiff_t entered;             // slots of the table of ridges that are used, by this round
+    size_t check;                  // how much work there is when it is asked next whether the call is cancelled
+    size_t work;                   // done in this round, in points tested
+    paradt_index fresh, fresh_end; // places that have never been taken and that no other task takes
+    char apart[128];               // so that no two tasks write into one cache line
 } paradt__graph_task;
 
 typedef struct paradt__graph {
@@ -11634,6 +11736,7 @@ typedef struct paradt__graph {
     paradt__ridges ridges;
     paradt__list ready;       // facets that are ready when a round begins,
     size_t next;              // and the number of them that tasks have taken
+    int ends;                 // 1: a task has ended its part of the round, and the others are to follow soon
     paradt__graph_task *task; // [team->tasks]
     size_t round_cells;       // cells that a task may make in a round: of several tasks few in the beginning, when few
     size_t most_cells;        // facets are ready to be shared, and so many in the end
@@ -11641,12 +11744,8 @@ typedef struct paradt__graph {
 } paradt__graph;
 
 enum {
-    PARADT__CELL_WORK = 64,        // making a cell without a list takes as long as testing so many points
-    PARADT__ROUND_WORK = 1 << 21,  // points tested in a round, by each task
-    PARADT__ROUND_CELLS = 1 << 11, // cells made in a round by one task alone,
-    PARADT__ROUND_FIRST = 1 << 6,  // or by each of several in the first round,
-    PARADT__ROUND_SHARE = 1 << 14, // and in the last
-    PARADT__CHECK_WORK = 1 << 18   // points tested between two looks at whether the call is cancelled
+    PARADT__CELL_WORK = 64,       // making a cell without a list takes as long as testing so many points
+    PARADT__FRESH_PLACES = 1 << 6 // that a task gets at once
 };
 
 // --- who is in conflict
@@ -11860,15 +11959,23 @@ PARADT__INLINE void paradt__graph_prepare(const paradt__graph *g, paradt__graph_
     }
 }
 
+// Takes a place for a cell.
+PARADT__INLINE paradt_index paradt__graph_place(paradt__graph *g, paradt__graph_task *task) {
+    if (task->spare.count) return task->spare.items[--task->spare.count];
+    if (task->fresh == task->fresh_end) {
+        task->fresh_end = (paradt_index)PARADT__ATOMIC_ADD(&g->mesh.count, PARADT__FRESH_PLACES);
+        task->fresh = task->fresh_end - PARADT__FRESH_PLACES;
+    }
+    return task->fresh++;
+}
+
 // Makes the cell of a facet that is ready.
 PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task,
                                                   const paradt__graph_job *job, int dim, int terms) {
     const int corners = terms > dim ? dim + 1 : dim;
     paradt__mesh *mesh = &g->mesh;
     const paradt__graph_cell *old = g->cells + job->old, *beside = g->cells + job->beside;
-    const paradt_index made = task->spare.count ? task->spare.items[--task->spare.count]
-                                                : (paradt_index)PARADT__ATOMIC_ADD(&mesh->count, 1) - 1;
-    const paradt_index base = made * corners;
+    const paradt_index made = paradt__graph_place(g, task), base = made * corners;
     paradt__graph_cell *cell = g->cells + made;
     size_t count = (size_t)old->count + (size_t)beside->count, both;
     paradt__plane plane;
@@ -11894,7 +12001,26 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     return status ? status : paradt__graph_match(g, task, base, job->place, job->hashes, corners);
 }
 
-// --- rounds
+// ---------------------------------------------------------------------------------------------------------------------
+// >>conflict rounds
+//
+// How tasks work through a conflict graph, from the first cells to the mesh. They work in rounds. In a round each task
+// takes facets that are ready, and works depth first on those that become ready by its work, which are in its cache.
+// When a task ends its part, because it has made as many cells as there is room for or has no facet, the others end
+// theirs soon: so none waits long for another. Between rounds room is made for all that a round can make. There is
+// little else to do then, for one thread alone: facets are shared only where few are, and the table of ridges is swept
+// by tasks.
+// Doors: paradt__graph_build.
+
+enum {
+    PARADT__ROUND_WORK = 1 << 21,   // points tested in a round, by each task, at most,
+    PARADT__LEAST_WORK = 1 << 13,   // or at least, before it ends its part because another one has
+    PARADT__ROUND_CELLS = 1 << 11,  // cells made in a round by one task alone,
+    PARADT__ROUND_FIRST = 1 << 6,   // or by each of several in the first round,
+    PARADT__ROUND_SHARE = 1 << 13,  // and in the last
+    PARADT__SHARED_FACETS = 1 << 6, // that each of several tasks shares, when there are few
+    PARADT__CHECK_WORK = 1 << 18    // points tested between two looks at whether the call is cancelled
+};
 
 // Takes a facet that is ready: one of the task's own, or one of those that all share; -1: there is none.
 PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_task *task) {
@@ -11908,6 +12034,7 @@ PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_t
 // Is the task to end the round, after so many cells? Now and then asks whether the call is cancelled.
 PARADT__INLINE int paradt__graph_pauses(const paradt__graph *g, paradt__graph_task *task, size_t index, size_t cells) {
     if (task->status || cells >= g->round_cells || task->work >= PARADT__ROUND_WORK) return 1;
+    if (task->work >= PARADT__LEAST_WORK && PARADT__ATOMIC_LOAD(&g->ends)) return 1;
     if (task->work < task->check) return 0;
     task->check = task->work + PARADT__CHECK_WORK;
     if (paradt__team_cancels(g->team, index, (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected))
@@ -11933,6 +12060,7 @@ PARADT__INLINE void paradt__graph_work(paradt__graph *g, paradt__graph_task *tas
         if (next >= 0) paradt__graph_prepare(g, jobs + (~cells & 1), next, corners);
     }
     if (next >= 0 && !task->status) task->status = paradt__list_append(&task->ready, next, &task->memory);
+    PARADT__ATOMIC_SET(&g->ends, 1);
 }
 
 static void paradt__graph_task_round(void *context, size_t index) {
@@ -11968,7 +12096,8 @@ static paradt_status paradt__graph_team(paradt__graph *g, void (*run)(void *cont
 // Makes room for all that a round can make.
 static paradt_status paradt__graph_room(paradt__graph *g) {
     paradt__mesh *mesh = &g->mesh;
-    size_t most = g->round_cells * g->team->tasks, needed = mesh->count + most;
+    size_t most = g->round_cells * g->team->tasks;
+    size_t needed = mesh->count + most + g->team->tasks * (size_t)PARADT__FRESH_PLACES;
     void *cells = g->cells;
     paradt_status status = PARADT_OK;
     if (needed > mesh->capacity)
@@ -11978,7 +12107,8 @@ static paradt_status paradt__graph_room(paradt__graph *g) {
         g->cells = (paradt__graph_cell *)cells;
         g->cell_capacity = mesh->capacity;
     }
-    return status ? status : paradt__ridges_room(&g->ridges, mesh, most * (size_t)(mesh->corners - 1), g->memory);
+    return status ? status
+                  : paradt__ridges_room(&g->ridges, mesh, most * (size_t)(mesh->corners - 1), g->team, g->memory);
 }
 
 // Moves the first `count` of a task's facets to those that all share.
@@ -11994,14 +12124,16 @@ static paradt_status paradt__graph_share(paradt__graph *g, paradt__graph_task *t
     return PARADT_OK;
 }
 
-// Ends a round: settled places may be taken; and of several tasks each shares the older half of the facets that it has
-// left, and keeps those that are likely to be in its cache.
+// Ends a round: settled places may be taken; and where the tasks share few facets, each adds some of the oldest that it
+// has left, from which most cells follow, and keeps those that are likely to be in its cache.
 static paradt_status paradt__graph_collect(paradt__graph *g) {
+    const size_t enough = g->team->tasks > 1 ? g->team->tasks * (size_t)PARADT__SHARED_FACETS : 0;
     size_t left = 0, i;
     paradt_status status = PARADT_OK;
     for (; g->next < g->ready.count; g->next++) g->ready.items[left++] = g->ready.items[g->next];
     g->ready.count = left;
     g->next = 0;
+    g->ends = 0;
     for (i = 0; i < g->team->tasks && !status; i++) {
         paradt__graph_task *task = g->task + i;
         g->ridges.used += (size_t)task->entered; // which may be negative
@@ -12014,7 +12146,10 @@ static paradt_status paradt__graph_collect(paradt__graph *g) {
             task->spare.count += task->settled.count;
             task->settled.count = 0;
         }
-        if (!status && g->team->tasks > 1) status = paradt__graph_share(g, task, (task->ready.count + 1) / 2);
+        if (!status && g->ready.count < enough) {
+            size_t half = (task->ready.count + 1) / 2;
+            status = paradt__graph_share(g, task, half < enough ? half : enough);
+        }
     }
     return status;
 }
@@ -12046,6 +12181,20 @@ static int paradt__graph_first_place(int dim, int solid, int i, int j) {
     return (solid || (dim - i) % 2 == 0) && place < 2 ? 1 - place : place;
 }
 
+// Returns how many places to make room for in the beginning: as many as points that are spread evenly take in the end,
+// or in space the facets of any hull; then the arrays need not grow. Few where that is not known.
+static size_t paradt__graph_expected(const paradt__graph *g) {
+    const int dim = g->set->space.dim, known = g->side == PARADT__ROUND ? dim < 4 : g->side == PARADT__LOWER;
+    const double some = (double)(1 << 20); // in more dimensions other points may take far fewer
+    double count = (double)g->set->count;
+    if (!known || g->set->space.weighted) return (size_t)dim + 2;
+    if (g->side == PARADT__ROUND) count *= dim - 1;
+    else count *= paradt__cells_a_point(dim) * paradt__off_hull(count, dim) * (dim < 5 ? 1.04 : 1.2);
+    count += (double)((g->most_cells + PARADT__FRESH_PLACES) * g->team->tasks);
+    if (dim > 3 && count > some) count = some;
+    return count < (double)paradt__most_cells(g->mesh.corners) ? (size_t)count : (size_t)dim + 2;
+}
+
 // Makes the first cells: the first simplex at place 0, unless facets alone are wanted, and then the ghost or facet
 // opposite each of its vertices.
 static paradt_status paradt__graph_first_cells(paradt__graph *g) {
@@ -12054,7 +12203,7 @@ static paradt_status paradt__graph_first_cells(paradt__graph *g) {
     const double *p[PARADT_MAX_DIM + 1];
     paradt_index *simplex = g->basis;
     int i, j;
-    paradt_status status = paradt__mesh_reserve(mesh, (size_t)dim + 2, (size_t)dim + 2, g->memory);
+    paradt_status status = paradt__mesh_reserve(mesh, (size_t)dim + 2, paradt__graph_expected(g), g->memory);
     if (status) return status;
     for (i = 0; i <= dim; i++) p[i] = paradt__record(g->set, simplex[i]);
     paradt__planes_inner(&g->planes, p);
@@ -12188,9 +12337,12 @@ static paradt_status paradt__graph_start(paradt__graph *g) {
 static paradt_status paradt__graph_free_places(paradt__graph *g) {
     size_t i, j;
     for (i = 0; i < g->team->tasks; i++) {
-        const paradt__list *spare = &g->task[i].spare;
-        if (paradt__mesh_spare_room(&g->mesh, spare->count, g->memory)) return PARADT_ERROR_MEMORY;
+        paradt__graph_task *task = g->task + i;
+        const paradt__list *spare = &task->spare;
+        size_t fresh = (size_t)(task->fresh_end - task->fresh);
+        if (paradt__mesh_spare_room(&g->mesh, spare->count + fresh, g->memory)) return PARADT_ERROR_MEMORY;
         for (j = 0; j < spare->count; j++) paradt__mesh_give(&g->mesh, spare->items[j], (size_t)g->mesh.corners);
+        while (task->fresh < task->fresh_end) paradt__mesh_give(&g->mesh, task->fresh++, (size_t)g->mesh.corners);
     }
     return PARADT_OK;
 }
@@ -12222,9 +12374,14 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
                                          const paradt__team *team, paradt__memory *memory, paradt__mesh *mesh,
                                          paradt__counters *counters) {
     const int dim = set->space.dim;
+    paradt__team own = *team;
     paradt__graph g;
     paradt_status status;
     memset(&g, 0, sizeof g);
+#if !defined(PARADT__ATOMICS)
+    own.tasks = 1; // for tasks share numbers and the table of ridges
+#endif
+    team = &own;
     g.set = set;
     g.team = team;
     g.memory = memory;
@@ -12237,7 +12394,9 @@ static paradt_status paradt__graph_build(const paradt__set *set, paradt__hull_si
     g.expected = (double)set->count * paradt__cells_a_point(dim) + 1.0; // places are taken again
     paradt__mesh_begin(&g.mesh, side == PARADT__ROUND ? dim : dim + 1, 0);
     paradt__planes_begin(&g.planes, &set->space, side != PARADT__ROUND);
-    status = order ? paradt__graph_arrays(&g) : PARADT_ERROR_MEMORY;
+    status = !order                                     ? PARADT_ERROR_MEMORY
+             : set->count > (size_t)PARADT__NOWHERE / 2 ? PARADT_ERROR_TOO_LARGE // twice a position is to be an index
+                                                        : paradt__graph_arrays(&g);
     if (!status) {
         paradt__graph_span_first(&g);
         status = paradt__graph_start(&g);
@@ -17457,7 +17616,7 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
         }
         *pays = !status && 2 * vertices < count; // else more than half of all points are outside
     }
-    *pays = *pays && paradt__sieve_scale(sieve, high, next);
+    *pays = *pays && mesh.count <= (size_t)INT32_MAX && paradt__sieve_scale(sieve, high, next);
     if (*pays) status = paradt__sieve_make(sieve, &mesh, &set, coordinates, memory);
     paradt__mesh_free(&mesh, memory);
     paradt__set_free(&set, memory);

@@ -7,6 +7,8 @@
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
 #define PARADT_IMPLEMENTATION
+#include <fenv.h>
+
 #include "harness.h"
 #include "runners.h"
 
@@ -75,6 +77,46 @@ static void furthest_sites_are_asked_of_those_who_have_them(void **state) {
     options.method = PARADT_BOWYER_WATSON;
     assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_ERROR_ARGUMENT);
     assert_non_null(t.error_text);
+}
+
+// --- planes
+
+// Points whose coordinates are of very different sizes. An overflow would make infinities and no numbers, which a
+// compiler may take for impossible.
+static void planes_do_not_overflow(void **state) {
+    enum { ROUNDS = 2000 };
+    uint64_t seed = 1;
+    (void)state;
+    for (int dim = 2; dim <= PARADT_MAX_DIM; dim++)
+        for (int round = 0; round < ROUNDS; round++) {
+            double x[PARADT_MAX_DIM + 1][PARADT_MAX_DIM];
+            const double *p[PARADT_MAX_DIM + 1];
+            paradt__space space;
+            paradt__planes planes;
+            paradt__plane plane;
+            paradt__space_begin(&space, dim, dim, 0);
+            for (int i = 0; i <= dim; i++) {
+                p[i] = x[i];
+                for (int j = 0; j < dim; j++) {
+                    seed = paradt__mix(seed + 1);
+                    x[i][j] = ldexp(1.0 + (double)(seed >> 40) / 16777216.0, round % 2 && j == i - 1 ? -100
+                                                                             : round % 2 && i && j >= i
+                                                                                 ? -119
+                                                                                 : (int)(seed % 238) - 119);
+                }
+                paradt__space_add(&space, x[i]);
+            }
+            paradt__space_end(&space);
+            assert_true(space.filtered);
+            feclearexcept(FE_ALL_EXCEPT);
+            for (int lifted = 0; lifted < 2; lifted++) {
+                paradt__planes_begin(&planes, &space, lifted);
+                paradt__planes_inner(&planes, p);
+                paradt__plane_of_facet(&planes, p, &plane, dim, planes.terms);
+                if (lifted) paradt__plane_of_cell(&planes, p, 1.0, &plane, dim, dim);
+            }
+            assert_int_equal(fetestexcept(FE_OVERFLOW | FE_INVALID | FE_DIVBYZERO), 0);
+        }
 }
 
 // --- the facets of a hull
@@ -316,7 +358,7 @@ static void tasks_can_be_cancelled(void **state) {
 }
 
 int main(void) {
-    static struct CMUnitTest tests[2 * FAMILY_COUNT + 5];
+    static struct CMUnitTest tests[2 * FAMILY_COUNT + 6];
     size_t count = 0;
     tests[count++] =
         named_test(any_number_of_tasks_makes_the_same_cells, NULL, "any_number_of_tasks_makes_the_same_cells");
@@ -325,6 +367,7 @@ int main(void) {
     tests[count++] = named_test(facets_of_the_hulls_of_many_points_are_those_of_the_triangulation, NULL,
                                 "facets_of_the_hulls_of_many_points_are_those_of_the_triangulation");
     tests[count++] = named_test(tasks_can_be_cancelled, NULL, "tasks_can_be_cancelled");
+    if (!RACES_ONLY) tests[count++] = named_test(planes_do_not_overflow, NULL, "planes_do_not_overflow");
     if (!RACES_ONLY)
         tests[count++] = named_test(furthest_sites_are_asked_of_those_who_have_them, NULL,
                                     "furthest_sites_are_asked_of_those_who_have_them");
