@@ -276,9 +276,9 @@
 // one at a time. parallel_for is called some ten times, for large sets up to forty times: insertion proceeds in legs,
 // and between two legs regions move from slow threads to fast ones. Near surfaces, where regions exchange what they
 // lack, it is called some dozens of times more. DeWall calls it once a level, some five to ten times, in four
-// dimensions and more a hundred times or two; PARADT_LIFTED_HULL and paradt_hull_compute once a round, some dozens of
-// times. One region a thread is right where the points are alike everywhere; a
-// few more even out regions that take longer. The cells depend neither on the regions nor on the threads.
+// dimensions and more a hundred times or two; PARADT_LIFTED_HULL and paradt_hull_compute once a round, and now and then
+// to sweep a table: some 300 times for 10^5 points in space. One region a thread is right where the points are alike
+// everywhere; a few more even out regions that take longer. The cells depend neither on the regions nor on the threads.
 //
 // Insertion abandons the division where regions would have to ask each other for longer than all the rest takes: among
 // points exactly on a sphere, or almost on a line. One region then takes in the points of the others, and stats.regions
@@ -444,7 +444,7 @@
 //     1.1.4 optimality                       paradt_enclosing_sphere, paradt_is_self_centred, paradt_circumsphere;
 //                                            theorems 1.2 and 1.3 and lemma 1.5 in tests/optimality.c
 //     1.2   objects, regions, conflicts      points, cells, and paradt__graph_filter, which hands conflicts on
-//           the framework                    paradt__graph_expand for a ridge, paradt__graph_run for the rounds
+//           the framework                    paradt__graph_expand for a ridge; >>conflict rounds, paradt__graph_run
 //           theorems 1.4 to 1.6              make theory (tests/bench/theory.c)
 //     2.1   InCoDe      MakeFirstSimplex     paradt__cell_towards: paradt__simplex_guess grows it from the nearest
 //                                            neighbour by smallest spheres (paradt__simplex_next_vertex), then descent
