@@ -48,6 +48,9 @@
 //     PARADT_NO_TREE         leaves out PARADT_DELAUNAY_TREE
 //     PARADT_NO_HULLS        leaves out PARADT_LIFTED_HULL, furthest-site triangulations and convex hulls
 //     PARADT_NO_MEASURES     leaves out paradt_circumsphere, paradt_enclosing_sphere and what goes with them
+//     PARADT_NO_LOCATOR      leaves out locate, nearest and the other queries
+//     PARADT_NO_DYNAMIC      leaves out living sets
+//     PARADT_NO_VORONOI      leaves out Voronoi diagrams
 //     PARADT_NO_CHECK        leaves out paradt_check and paradt_hull_check
 //     PARADT_NO_REGIONS      leaves out divided space: all points are one region, whatever options.regions asks for.
 //                            Not with paradt_mpi.h
@@ -579,37 +582,68 @@ extern "C" {
 #define PARADT__IS_INDEX64
 typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
 // The functions have other names, so that the linker refuses files that differ in PARADT_INDEX64.
-#define paradt_points_f64         paradt_points_f64_64
-#define paradt_points_f32         paradt_points_f32_64
-#define paradt_triangulate        paradt_triangulate_64
-#define paradt_memory_estimate    paradt_memory_estimate_64
-#define paradt_repair             paradt_repair_64
-#define paradt_free               paradt_free_64
-#define paradt_hull_compute       paradt_hull_compute_64
-#define paradt_hull_free          paradt_hull_free_64
-#define paradt_hull_check         paradt_hull_check_64
-#define paradt_hull_hash          paradt_hull_hash_64
-#define paradt_version            paradt_version_64
-#define paradt_status_string      paradt_status_string_64
-#define paradt_method_string      paradt_method_string_64
-#define paradt_check              paradt_check_64
-#define paradt_hash               paradt_hash_64
-#define paradt_hash_cell          paradt_hash_cell_64
-#define paradt_orient             paradt_orient_64
-#define paradt_insphere           paradt_insphere_64
-#define paradt_insphere_perturbed paradt_insphere_perturbed_64
-#define paradt_orient2            paradt_orient2_64
-#define paradt_orient3            paradt_orient3_64
-#define paradt_insphere2          paradt_insphere2_64
-#define paradt_insphere3          paradt_insphere3_64
-#define paradt_orient2f           paradt_orient2f_64
-#define paradt_orient3f           paradt_orient3f_64
-#define paradt_insphere2f         paradt_insphere2f_64
-#define paradt_insphere3f         paradt_insphere3f_64
-#define paradt_circumsphere       paradt_circumsphere_64
-#define paradt_enclosing_sphere   paradt_enclosing_sphere_64
-#define paradt_is_self_centred    paradt_is_self_centred_64
-#define paradt_volume             paradt_volume_64
+#define paradt_points_f64             paradt_points_f64_64
+#define paradt_points_f32             paradt_points_f32_64
+#define paradt_triangulate            paradt_triangulate_64
+#define paradt_memory_estimate        paradt_memory_estimate_64
+#define paradt_repair                 paradt_repair_64
+#define paradt_free                   paradt_free_64
+#define paradt_hull_compute           paradt_hull_compute_64
+#define paradt_hull_free              paradt_hull_free_64
+#define paradt_hull_check             paradt_hull_check_64
+#define paradt_hull_hash              paradt_hull_hash_64
+#define paradt_version                paradt_version_64
+#define paradt_status_string          paradt_status_string_64
+#define paradt_method_string          paradt_method_string_64
+#define paradt_check                  paradt_check_64
+#define paradt_hash                   paradt_hash_64
+#define paradt_hash_cell              paradt_hash_cell_64
+#define paradt_orient                 paradt_orient_64
+#define paradt_insphere               paradt_insphere_64
+#define paradt_insphere_perturbed     paradt_insphere_perturbed_64
+#define paradt_orient2                paradt_orient2_64
+#define paradt_orient3                paradt_orient3_64
+#define paradt_insphere2              paradt_insphere2_64
+#define paradt_insphere3              paradt_insphere3_64
+#define paradt_orient2f               paradt_orient2f_64
+#define paradt_orient3f               paradt_orient3f_64
+#define paradt_insphere2f             paradt_insphere2f_64
+#define paradt_insphere3f             paradt_insphere3f_64
+#define paradt_circumsphere           paradt_circumsphere_64
+#define paradt_enclosing_sphere       paradt_enclosing_sphere_64
+#define paradt_is_self_centred        paradt_is_self_centred_64
+#define paradt_volume                 paradt_volume_64
+#define paradt_locator_create         paradt_locator_create_64
+#define paradt_locator_free           paradt_locator_free_64
+#define paradt_locate                 paradt_locate_64
+#define paradt_nearest                paradt_nearest_64
+#define paradt_locate_one             paradt_locate_one_64
+#define paradt_nearest_one            paradt_nearest_one_64
+#define paradt_nearest_some           paradt_nearest_some_64
+#define paradt_within                 paradt_within_64
+#define paradt_along                  paradt_along_64
+#define paradt_work_free              paradt_work_free_64
+#define paradt_adjacency_compute      paradt_adjacency_compute_64
+#define paradt_adjacency_free         paradt_adjacency_free_64
+#define paradt_dynamic_create         paradt_dynamic_create_64
+#define paradt_dynamic_free           paradt_dynamic_free_64
+#define paradt_dynamic_insert         paradt_dynamic_insert_64
+#define paradt_dynamic_remove         paradt_dynamic_remove_64
+#define paradt_dynamic_move           paradt_dynamic_move_64
+#define paradt_dynamic_insert_points  paradt_dynamic_insert_points_64
+#define paradt_dynamic_remove_points  paradt_dynamic_remove_points_64
+#define paradt_dynamic_move_points    paradt_dynamic_move_points_64
+#define paradt_dynamic_get_info       paradt_dynamic_get_info_64
+#define paradt_dynamic_get_update     paradt_dynamic_get_update_64
+#define paradt_dynamic_cell           paradt_dynamic_cell_64
+#define paradt_dynamic_point          paradt_dynamic_point_64
+#define paradt_dynamic_representative paradt_dynamic_representative_64
+#define paradt_dynamic_star           paradt_dynamic_star_64
+#define paradt_dynamic_locate         paradt_dynamic_locate_64
+#define paradt_dynamic_nearest        paradt_dynamic_nearest_64
+#define paradt_dynamic_export         paradt_dynamic_export_64
+#define paradt_voronoi_compute        paradt_voronoi_compute_64
+#define paradt_voronoi_free           paradt_voronoi_free_64
 #else
 typedef int32_t paradt_index; // a point, a cell or a half-facet; negative: none
 #endif
@@ -764,6 +798,119 @@ typedef struct paradt_hull {
 } paradt_hull;
 #endif
 
+#ifndef PARADT_NO_LOCATOR
+// Where a place is in a triangulation
+typedef struct paradt_location {
+    paradt_index cell; // number of a cell; -1: the triangulation has no cells, or the query is not finite
+    unsigned face;     // bit j: vertex j of the cell belongs to the face whose interior holds the place. One bit: it is
+                       // that vertex; all dim + 1: inside the cell; 0: outside, and the cell has a hull facet that
+                       // sees the place: the facet's other side, on which the cell is not, holds it
+} paradt_location;
+
+// What answers queries: const once made, so any number of threads may ask at once
+typedef struct paradt_locator paradt_locator;
+
+// Where queries of one thread keep what they need. All zero at first; paradt_work_free frees it.
+typedef struct paradt_work {
+    void *block;                // NULL: nothing yet
+    size_t size;                // bytes of the block
+    paradt_allocator allocator; // zero: malloc and free
+} paradt_work;
+
+// Lists, one a vertex or an edge, end to end
+typedef struct paradt_adjacency {
+    size_t count;               // number of lists
+    size_t *first;              // [count + 1] where each list begins; the last: number of items
+    paradt_index *items;        // [first[count]]
+    paradt_allocator allocator; // what paradt_adjacency_free gives the arrays back to
+} paradt_adjacency;
+
+// What paradt_adjacency_compute lists
+typedef enum paradt_adjacent {
+    PARADT_VERTEX_CELLS,    // of each point: the cells that have it, ascending
+    PARADT_VERTEX_VERTICES, // of each point: the vertices that an edge joins with it, ascending
+    PARADT_EDGES            // one list an edge: its two vertices, the smaller first; ascending
+} paradt_adjacent;
+#endif
+
+#ifndef PARADT_NO_DYNAMIC
+// A living set: points that come, go and move, and their triangulation at any time
+typedef struct paradt_dynamic paradt_dynamic;
+
+// What a living set is now
+typedef struct paradt_dynamic_info {
+    int dim;                // affine dimension of the points that are there: dim + 1 vertices a cell; -1: none are
+    size_t point_count;     // points that are there: vertices, duplicates and hidden ones
+    size_t id_count;        // all ids are below it; some may be free
+    size_t vertex_count;    // points that are vertices of the triangulation
+    size_t cell_count;      // cells of the triangulation
+    size_t cell_end;        // all numbers of cells are below it; some are of no cell
+    size_t bytes;           // memory that the set holds
+    size_t error_point;     // the last call was PARADT_ERROR_NOT_FINITE: which of its points; else 0
+    const char *error_text; // what went wrong in the last call; static storage; NULL: nothing
+} paradt_dynamic_info;
+
+// What the last change of a living set did to its cells. A killed cell and one that was made may have the same number.
+// The arrays are the set's: read them before the next change.
+typedef struct paradt_dynamic_update {
+    size_t killed_count, made_count;     // numbers of cells
+    const paradt_index *killed;          // [killed_count] their numbers, none twice
+    const paradt_index *killed_vertices; // [killed_count][dim + 1] the ids that they had; dim: as before the change
+    const paradt_index *made;            // [made_count] numbers of cells that are there now and were not before
+    int dim_before;                      // affine dimension before the change
+    int rebuilt;                         // 1: all cells are new (the dimension changed, or a batch was large): the
+                                         // lists are empty
+} paradt_dynamic_update;
+#endif
+
+#ifndef PARADT_NO_VORONOI
+// paradt_voronoi_request.outputs
+enum {
+    PARADT_VORONOI_VOLUMES = 1,   // volumes of cells, with their errors
+    PARADT_VORONOI_CENTROIDS = 2, // centroids of cells
+    PARADT_VORONOI_FACES = 4,     // faces: their sides, and which cells have them
+    PARADT_VORONOI_AREAS = 8,     // areas of faces, their centroids and normals
+    PARADT_VORONOI_POLYGONS = 16  // vertices, and the vertices of each face in order
+};
+
+// What is wanted of a Voronoi diagram
+typedef struct paradt_voronoi_request {
+    unsigned outputs;     // what to compute; 0: volumes
+    const double *box;    // [2 * dim] lower, then upper bounds that cells are clipped to; NULL: none
+    const double *planes; // [plane_count][dim + 1] a normal and an offset: cells are clipped to normal . x <= offset
+    size_t plane_count;
+} paradt_voronoi_request;
+
+// The Voronoi diagram of some points; of weighted points the power diagram. A cell belongs to a point, a face to two
+// points, or to a point and a wall that clips its cell. What was not wanted is NULL.
+typedef struct paradt_voronoi {
+    int dim;                    // of the points, and of cells; -1: an error
+    size_t cell_count;          // number of points, as given: cell i is that of point i
+    double *volumes;            // [cell_count] infinite: unbounded; 0: the cell is empty (a hidden point, a duplicate,
+                                // or all of it clipped away)
+    double *volume_errors;      // [cell_count] proven: the true volume is at most this far from it
+    double volume;              // sum of all volumes
+    double *centroids;          // [cell_count][dim] NaN where the volume is infinite or 0
+    unsigned char *unbounded;   // [cell_count] 1: the cell is unbounded; always there
+    size_t face_count;          // number of faces
+    paradt_index *sides;        // [face_count][2] the points on its two sides; the second may be -1 - k: wall k
+    double *areas;              // [face_count] measure of dimension dim - 1; infinite: unbounded
+    double *face_centroids;     // [face_count][dim] NaN where the area is infinite or 0
+    double *normals;            // [face_count][dim] of length 1, from the first side to the second
+    size_t *first_face;         // [cell_count + 1] where the faces of each cell begin in `faces`
+    paradt_index *faces;        // [first_face[cell_count]] numbers of faces
+    size_t vertex_count;        // number of vertices
+    double *vertices;           // [vertex_count][dim]
+    size_t *first_vertex;       // [face_count + 1] where the vertices of each face begin in `polygons`
+    paradt_index *polygons;     // [first_vertex[face_count]] numbers of vertices, counterclockwise when seen from the
+                                // second side; one -1 stands for the part that goes to infinity
+    size_t error_point;         // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
+    const char *error_text;     // what went wrong; for ARGUMENT which and why; static storage; NULL: no error
+    paradt_allocator allocator; // what paradt_voronoi_free gives the arrays back to
+    double seconds;             // wall time
+} paradt_voronoi;
+#endif
+
 // What paradt_check found wrong first, or why it could not tell; all zero when nothing is wrong
 typedef struct paradt_fault {
     const char *reason; // a sentence, of static storage; NULL: nothing is wrong
@@ -885,6 +1032,196 @@ PARADT_DEF paradt_status paradt_hull_check(const paradt_hull *hull, const paradt
 
 // Returns a hash of the set of facets, each as a set of point indices: as paradt_hash does for cells. Thread-safe.
 PARADT_DEF uint64_t paradt_hull_hash(const paradt_hull *hull);
+#endif
+
+#ifndef PARADT_NO_LOCATOR
+// Makes a locator of a triangulation. Afterwards neither the triangulation nor the points are needed any more.
+//   out            NULL after an error
+//   triangulation  of paradt_triangulate, paradt_repair or paradt_dynamic_export, with neighbors
+//   points         those that it was made from
+//   options        NULL: the defaults. allocator, memory_limit, progress, user are used, and PARADT_FACETS in flags,
+//                  which says what neighbors hold
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, and INVALID where arrays do not fit together. Thread
+// safety: any number of concurrent calls. Cost: sorting the points, and a pass over the cells.
+PARADT_DEF paradt_status paradt_locator_create(paradt_locator **out, const paradt_triangulation *triangulation,
+                                               const paradt_points *points, const paradt_options *options);
+
+// Frees a locator. NULL is fine. Thread safety: as free.
+PARADT_DEF void paradt_locator_free(paradt_locator *locator);
+
+// Finds where places are: the lowest face that holds each, decided exactly. Which of the cells around a face is named
+// may vary; the face, as a set of points, does not.
+//   queries  of the dimension of the points; weights are not used
+//   out      [queries->count]
+//   options  NULL: the defaults. parallel_for, progress, user, allocator, memory_limit are used
+// Lower dimensions: where the points lie in a flat, a query off the flat is outside, and its cell is any.
+// Errors: ARGUMENT, NOT_FINITE (out of the first such query then is -1, the others are not filled), MEMORY, CANCELLED.
+// Thread safety: any number of concurrent calls on one locator. Cost: sorting the queries, and a short walk each.
+PARADT_DEF paradt_status paradt_locate(const paradt_locator *locator, const paradt_points *queries,
+                                       paradt_location *out, const paradt_options *options);
+
+// Finds the vertex nearest to each place, decided exactly; of equally near ones that which is first in lexicographic
+// order. With weights in the triangulation, the one of the smallest power distance |x - p|^2 - w.
+//   out      [queries->count] index of the point; -1: there are no points
+// The rest is as for paradt_locate.
+PARADT_DEF paradt_status paradt_nearest(const paradt_locator *locator, const paradt_points *queries, paradt_index *out,
+                                        const paradt_options *options);
+
+// The same for one place: without a sort, an allocation or an error; x is finite, else the result is -1.
+//   x     [dim] of the points
+//   hint  a vertex nearby, as of the query before; -1: none is known. Then the search starts from a grid of cells.
+// Thread safety: any number of concurrent calls on one locator. Cost: expected constant time.
+PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, const double *x, paradt_index hint);
+PARADT_DEF paradt_index paradt_nearest_one(const paradt_locator *locator, const double *x, paradt_index hint);
+
+// Finds the `count` vertices nearest to x, in the order of their distance (with weights: power), ties in lexicographic
+// order.
+//   out    [count] points; -1 where there are fewer vertices
+//   work   of this thread
+// Errors: ARGUMENT, NOT_FINITE, MEMORY. Thread safety: any number of concurrent calls on one locator, each with its own
+// work. Cost: as the vertices found and their neighbours, times the logarithm of their number.
+PARADT_DEF paradt_status paradt_nearest_some(const paradt_locator *locator, const double *x, size_t count,
+                                             paradt_index *out, paradt_work *work);
+
+// Finds all vertices at most `radius` from x, by exact comparison with the double given, in ascending order of their
+// index. Weights take no part.
+//   out       [capacity] the first of them
+//   count     how many there are, which may be more than capacity
+// Errors, thread safety: as paradt_nearest_some. Cost: as the vertices in the ball and their neighbours.
+PARADT_DEF paradt_status paradt_within(const paradt_locator *locator, const double *x, double radius, paradt_index *out,
+                                       size_t capacity, size_t *count, paradt_work *work);
+
+// Finds the cells whose interior the segment from a to b meets, and where it only runs within faces, for each stretch
+// one of the cells around; in order from a to b. Parts outside the hull have no cells.
+//   out       [capacity] the first of them
+//   count     how many there are, which may be more than capacity
+// Errors, thread safety: as paradt_nearest_some. Cost: as the cells met and those around their faces that it meets.
+PARADT_DEF paradt_status paradt_along(const paradt_locator *locator, const double *a, const double *b,
+                                      paradt_index *out, size_t capacity, size_t *count, paradt_work *work);
+
+// Frees the block. Thread safety: as free.
+PARADT_DEF void paradt_work_free(paradt_work *work);
+
+// Lists the cells or the neighbours of each vertex, or the edges. See paradt_adjacent.
+//   out      is overwritten; empty after an error
+//   options  NULL: the defaults. allocator, memory_limit are used
+// Points that are no vertices have empty lists. Errors: ARGUMENT, MEMORY, TOO_LARGE, and INVALID where an index is out
+// of its range. Thread safety: any number of concurrent calls. Cost: linear time.
+PARADT_DEF paradt_status paradt_adjacency_compute(paradt_adjacency *out, const paradt_triangulation *triangulation,
+                                                  paradt_adjacent what, const paradt_options *options);
+
+// Gives the arrays back; all zero afterwards. NULL is fine. Thread safety: as free.
+PARADT_DEF void paradt_adjacency_free(paradt_adjacency *adjacency);
+#endif
+
+#ifndef PARADT_NO_DYNAMIC
+// A living set. Its triangulation always is that of paradt_triangulate for the points that are there: the cells, hidden
+// points and representatives. A point has an id, which stays valid until the point is removed; then it is free, and a
+// point that is inserted may get it. Ids of a removed point, or out of range, are PARADT_ERROR_ARGUMENT. After any
+// error the set is what it was before the call. One call at a time may change a set; those with a const set may run
+// concurrently with each other, from any threads.
+
+// Makes a living set of some points, or an empty one (points->count is 0; dim must be given).
+//   out      NULL after an error
+//   points   read during the call only; point i has the id i. Without weights all weights are 0, and those of later
+//            points must be, too.
+//   options  NULL: the defaults. They hold for all calls on the set: allocator, memory_limit (of the set), progress,
+//            parallel_for, user, regions. method says how a point is located: PARADT_AUTO, by a walk from a grid of
+//            starting cells; PARADT_DELAUNAY_TREE or PARADT_FLIP, by the cells that were: then points can't be removed
+//            or moved. flags: 0
+// Errors: those of paradt_triangulate. Thread safety: any number of concurrent calls. Cost: that of paradt_triangulate.
+PARADT_DEF paradt_status paradt_dynamic_create(paradt_dynamic **out, const paradt_points *points,
+                                               const paradt_options *options);
+
+// Frees a set. NULL is fine. Thread safety: as free.
+PARADT_DEF void paradt_dynamic_free(paradt_dynamic *d);
+
+// Inserts a point.
+//   x       [dim] coordinates
+//   weight  0 in a set without weights
+//   hint    id of a point nearby; -1: none is known
+//   id      filled with the point's id; NULL: not wanted
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE. Cost: expected constant time for points without structure; more
+// where the coordinates leave the range of all that came before, which is seldom.
+PARADT_DEF paradt_status paradt_dynamic_insert(paradt_dynamic *d, const double *x, double weight, paradt_index hint,
+                                               paradt_index *id);
+
+// Removes a point. Errors: ARGUMENT, MEMORY. Cost: as its neighbours.
+PARADT_DEF paradt_status paradt_dynamic_remove(paradt_dynamic *d, paradt_index id);
+
+// Moves a point, which keeps its id, and gives it a weight. Errors: those of inserting. Cost: a removal and an
+// insertion, and less where the cells around the point stay.
+PARADT_DEF paradt_status paradt_dynamic_move(paradt_dynamic *d, paradt_index id, const double *x, double weight);
+
+// The same for many: done wholly or, after an error, not at all. Sorted along a curve inside, and therefore faster than
+// one by one.
+//   ids  [points->count] filled by inserting (NULL: not wanted); else [count] read, none twice
+// Errors: as for one; and CANCELLED.
+PARADT_DEF paradt_status paradt_dynamic_insert_points(paradt_dynamic *d, const paradt_points *points,
+                                                      paradt_index *ids);
+PARADT_DEF paradt_status paradt_dynamic_remove_points(paradt_dynamic *d, const paradt_index *ids, size_t count);
+PARADT_DEF paradt_status paradt_dynamic_move_points(paradt_dynamic *d, const paradt_index *ids,
+                                                    const paradt_points *points);
+
+// Fills what the set is now. Thread-safe on a set that does not change.
+PARADT_DEF void paradt_dynamic_get_info(const paradt_dynamic *d, paradt_dynamic_info *info);
+
+// Fills which cells the last change killed and made. A batch is one change.
+PARADT_DEF void paradt_dynamic_get_update(const paradt_dynamic *d, paradt_dynamic_update *update);
+
+// Fills the vertices and neighbours of a cell. Returns 1, or 0 if the number is of no cell.
+//   vertices   [dim + 1] ids, positively oriented; NULL: not wanted
+//   neighbors  [dim + 1] the same facet as its other cell sees it: (dim + 1) * cell + place, as with PARADT_FACETS;
+//              -1: on the hull; NULL: not wanted
+// dim is that of paradt_dynamic_info. Numbers of cells stay what they are until a change kills the cell.
+PARADT_DEF int paradt_dynamic_cell(const paradt_dynamic *d, paradt_index cell, paradt_index *vertices,
+                                   paradt_index *neighbors);
+
+// Returns the coordinates of a point, [dim], valid until the next change, or NULL for a free id. weight: NULL: not
+// wanted
+PARADT_DEF const double *paradt_dynamic_point(const paradt_dynamic *d, paradt_index id, double *weight);
+
+// Returns the id itself if it is a vertex, else the vertex that stands for it; -1: hidden; -2: the id is free.
+PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, paradt_index id);
+
+// Returns the number of cells that have a vertex, and fills the first `capacity` of them. 0 for what is no vertex.
+PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity);
+
+#ifndef PARADT_NO_LOCATOR
+// As paradt_locate_one and paradt_nearest_one, with ids.
+PARADT_DEF paradt_location paradt_dynamic_locate(const paradt_dynamic *d, const double *x, paradt_index hint);
+PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const double *x, paradt_index hint);
+#endif
+
+// Copies the triangulation: cells in ids, numbered from 0 without gaps; representative[id] is -2 for a free id. The
+// arrays come from the set's allocator; paradt_free frees them. neighbors are cells.
+// Errors: MEMORY. Thread-safe on a set that does not change. Cost: linear time.
+PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out);
+#endif
+
+#ifndef PARADT_NO_VORONOI
+// Computes the Voronoi diagram, or with weights the power diagram, of a triangulation's points.
+//   out            is overwritten, whatever it held; after an error it is empty but for error_point and error_text
+//   triangulation  of the points, with neighbors
+//   points         those that it was made from
+//   request        NULL: volumes, not clipped
+//   options        NULL: the defaults. allocator, memory_limit, progress, parallel_for, regions (number of tasks; 0:
+//                  four), user are used, and PARADT_FACETS in flags, which says what neighbors hold
+// Walls: of the box, wall i is its lower bound of axis i, and dim + i its upper; plane k is wall 2 * dim + k, with or
+// without a box. What clips what is decided exactly: which faces, edges and vertices there are, and which cells are
+// unbounded. Faces that are nothing but the perturbation (of points on one sphere) are not listed. Numbers: each
+// coordinate of a vertex is the double nearest to the true one where nothing clips, and else within the error that is
+// said at PARADT_VORONOI in the manual; cells that share a vertex share its bits. Volumes come with proven errors.
+// Dimensions: all outputs in 2 and 3; above, volumes, vertices and faces' sides, and what is unbounded; the rest is
+// ARGUMENT there. Lower dimensions: points in a flat have cells that are unbounded, but for what clips them.
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, and INVALID where arrays do not fit together. Thread
+// safety: any number of concurrent calls. Cost: linear time in the cells, and clipping what leaves the box.
+PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const paradt_triangulation *triangulation,
+                                                const paradt_points *points, const paradt_voronoi_request *request,
+                                                const paradt_options *options);
+
+// Gives the arrays back; empty afterwards: all zero but dim, which is -1. NULL is fine. Thread safety: as free.
+PARADT_DEF void paradt_voronoi_free(paradt_voronoi *voronoi);
 #endif
 
 // Returns PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
