@@ -4,6 +4,8 @@ B     := build/bench
 CC    ?= cc
 CXX   ?= c++
 PEERS ?= cgal cgal-regular cgal-dd cgal-tbb tetgen qhull qhull-hull hxt
+# Flags of the library in paradt-use, such as -DPARADT_NO_VORONOI
+USE_FLAGS ?=
 # Some compilers don't know -march=native.
 NATIVE := $(shell echo 'int one;' | $(CC) -march=native -x c -c -o /dev/null - 2>/dev/null && echo yes)
 
@@ -64,5 +66,24 @@ $(B)/qhull-hull: tests/bench/qhull.c $(B)/library.o
 
 $(B)/hxt: tests/bench/hxt.c $(B)/library.o
 	$(CC) $(FLAGS) -fopenmp $(DEPENDS) -o $@ $(SOURCES) -lgmsh -lm
+
+# The programs of use.sh
+$(B)/library-use.o: tests/bench/library.c paradt.h $(B)/use-flags
+	$(CC) $(FLAGS) $(USE_FLAGS) $(DEPENDS) -c -o $@ $<
+
+$(B)/paradt-use: tests/bench/paradt_use.c $(B)/library-use.o
+	$(CC) $(FLAGS) $(USE_FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lm
+
+$(B)/use-flags: FORCE
+	@mkdir -p $(@D)
+	@echo "$(USE_FLAGS)" | cmp -s - $@ || echo "$(USE_FLAGS)" >$@
+
+FORCE:
+
+$(B)/cgal-use: tests/bench/cgal_use.cpp $(B)/library.o
+	$(CXX) $(CGALFLAGS) -isystem /usr/include/eigen3 $(DEPENDS) -o $@ $(SOURCES) -lmpfr -lgmp -lm
+
+$(B)/voro-use: tests/bench/voro_use.cpp $(B)/library.o
+	$(CXX) $(FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lvoro++ -lm
 
 -include $(wildcard $(B)/*.d)
