@@ -1420,7 +1420,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
-//     space                        235   what the predicates know of a set
+//     space                        267   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        621   signs in integers
@@ -1437,7 +1437,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   mesh
 //     mesh                         694   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        116   conflict test, walk, update
+//     scene                        129   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
@@ -1492,6 +1492,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
 //     repair                       510   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
+//     location                      82   the face that holds a place, asked from any thread
+//     starting cells               253   a vertex near any place
+//     distances                    160   which of two vertices is nearer
+//     nearest                      154   the nearest vertex
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -2235,7 +2239,7 @@ static double paradt__now(void) {
 // geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
 // fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__compare, paradt__rounding.
+// paradt__space_end, paradt__space_admits, paradt__space_widen, paradt__compare, paradt__rounding, paradt__quantum.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -2430,6 +2434,38 @@ static void paradt__space_end(paradt__space *s) {
         insphere->quantum = paradt__quantum(k * unit + lift_unit);
         s->orient_certain = paradt__larger(s->orient_certain, orient->certain);
         s->orient_quantum = -paradt__larger(-s->orient_quantum, -orient->quantum);
+    }
+}
+
+// Is x within the range?
+PARADT__INLINE int paradt__range_has(const paradt__range *range, double x) {
+    uint64_t bits = paradt__bits(x);
+    int biased = (int)(bits >> 52 & 2047), top = biased - 1022;
+    int unit = biased - 1075 + paradt__trailing_zeros(bits | (uint64_t)1 << 52);
+    return ((biased > 0) & (unit >= range->unit) & (top > range->bottom) & (top <= range->top)) | !(bits << 1);
+}
+
+// May the predicates be asked about a point, without a weight, that was not measured?
+PARADT__OPTIONAL int paradt__space_admits(const paradt__space *s, const double *x) {
+    int admits = 1;
+    for (int j = 0; j < s->ambient; j++) {
+        int64_t place = paradt__ordered_bits(x[j]);
+        admits &= (place >= s->low[j]) & (place <= s->high[j]) & paradt__range_has(&s->coordinates, x[j]);
+    }
+    return admits;
+}
+
+// Widens the box of what was measured by its own size on every side, so that more points are admitted; before
+// paradt__space_end. The filters' bounds for the set become larger, which matters little.
+PARADT__OPTIONAL void paradt__space_widen(paradt__space *s) {
+    for (int j = 0; j < s->ambient; j++) {
+        double low, high, side;
+        if (s->low[j] > s->high[j] || s->coordinates.top > 1000) continue; // there are no points, or no room
+        low = paradt__from_ordered_bits(s->low[j]);
+        high = paradt__from_ordered_bits(s->high[j]);
+        side = high - low;
+        s->low[j] = paradt__ordered_bits(low - side);
+        s->high[j] = paradt__ordered_bits(high + side);
     }
 }
 
@@ -4130,7 +4166,7 @@ PARADT__INLINE int paradt__read_record(const paradt__source *source, size_t inde
 // What several sections ask about a set or a part of it: along which axis it is longest, how far its points are from
 // their neighbours, and which of its points span it. The first two steer the work and are estimates in floating-point
 // arithmetic; the last is exact.
-// Doors: paradt__longest_axis, paradt__spacing, paradt__margin_for, paradt__set_basis.
+// Doors: paradt__longest_axis, paradt__spacing, paradt__margin_for, paradt__set_basis, paradt__extends.
 
 // Returns the axis along which a box is longest, the first of several. by_steps: lengths are numbers of steps from one
 // double to the next; else they are differences of coordinates, halved as a difference may overflow.
@@ -6325,8 +6361,8 @@ PARADT__OPTIONAL paradt_status paradt__facets_join(paradt__facets *facets, parad
 // with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
 // the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
 // with an affine function through the facet's lifted vertices alone.
-// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free, paradt__scene_cell,
-// paradt__scene_fetch_around.
+// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__walk_any, paradt__update_free,
+// paradt__scene_cell, paradt__scene_fetch_around.
 
 typedef struct paradt__scene {
     paradt__space space;   // its own, for the counters
@@ -6404,26 +6440,39 @@ static int paradt__conflicts(paradt__scene *scene, paradt_index cell, const doub
 
 // Walks from a cell or ghost to the cell that contains x, or to a ghost whose hull facet has x strictly beyond it. A
 // visibility walk: it crosses any facet that has x on its other side. In a regular triangulation it ends whichever it
-// takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
-static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const double *x) {
+// takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990). *inside: a
+// bit for each vertex of the cell with x strictly on the vertex's side of the facet opposite; of a ghost 0. Returns
+// PARADT__OPEN after `steps` steps: so many take to end only walks in what is no regular triangulation.
+PARADT__INLINE paradt_index paradt__walk_any(paradt__scene *scene, paradt_index cell, const double *x, size_t steps,
+                                             unsigned *inside) {
     const paradt__mesh *mesh = &scene->mesh;
     int corners = mesh->corners, i, from = -1;
-    for (;;) {
+    for (; steps; steps--) {
         size_t base = (size_t)cell * (size_t)corners;
         int ghost = paradt__ghost_place(mesh->vertices + base, corners);
         PARADT_ASSERT(mesh->vertices[base] != PARADT__DEAD);
+        *inside = 0;
         if (ghost >= 0) {
-            if (paradt__side(scene, cell, ghost, x) > 0) return cell;
+            if (from == ghost || paradt__side(scene, cell, ghost, x) > 0) return cell;
             i = ghost;
         } else {
+            if (from >= 0) *inside = 1u << from;
             for (i = 0; i < corners; i++) {
-                if (i != from && paradt__side(scene, cell, i, x) < 0) break;
+                int side = i != from ? paradt__side(scene, cell, i, x) : 0;
+                if (side < 0) break;
+                *inside |= (unsigned)side << i;
             }
             if (i == corners) return cell;
         }
         from = (int)(mesh->links[base + (size_t)i] % corners);
         cell = paradt__mesh_cell(mesh, mesh->links[base + (size_t)i]);
     }
+    return PARADT__OPEN;
+}
+
+static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const double *x) {
+    unsigned inside;
+    return paradt__walk_any(scene, cell, x, SIZE_MAX, &inside);
 }
 
 #ifndef PARADT__NO_SEARCH
@@ -20610,6 +20659,655 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
     return volume;
 }
 #endif // PARADT_NO_MEASURES
+
+#if !defined(PARADT_NO_LOCATOR) || !defined(PARADT_NO_DYNAMIC)
+// ---------------------------------------------------------------------------------------------------------------------
+// >>location
+//
+// Where a place is in a scene: the lowest face that holds it. For those who ask without changing anything, at once from
+// any threads: each has a view, its own copy of the scene, which is small as all arrays are shared. The copy counts
+// calls of the predicates, and where a place is beyond what the scene has measured, its space is extended to it.
+//
+// The scene's mesh may be any that is sound: where it is no regular triangulation, walks give up instead of going in
+// circles. Doors: paradt__view_begin, paradt__view_admit, paradt__view_extend,
+// paradt__is_off_flat, paradt__place_in.
+
+typedef struct paradt__view {
+    paradt__scene scene;           // its space is the view's own
+    const paradt__space *measured; // the space of what the view is of
+    int extended;                  // the own space has been extended
+} paradt__view;
+
+static void paradt__view_begin(paradt__view *view, const paradt__scene *scene) {
+    view->scene = *scene;
+    view->measured = &scene->space;
+    view->extended = 0;
+}
+
+// Makes the predicates ready for two more points, or for one twice; not for those admitted before any more.
+PARADT__NOINLINE void paradt__view_extend(paradt__view *view, const double *x, const double *y) {
+    paradt__space *space = &view->scene.space;
+    paradt__counters counters = space->counters;
+    double record[PARADT_MAX_DIM + 1];
+    *space = *view->measured;
+    space->counters = counters;
+    view->extended = !(paradt__space_admits(space, x) && paradt__space_admits(space, y));
+    if (!view->extended) return;
+    record[space->ambient] = 0;
+    memcpy(record, x, (size_t)space->ambient * sizeof *x);
+    paradt__space_add(space, record);
+    memcpy(record, y, (size_t)space->ambient * sizeof *y);
+    paradt__space_add(space, record);
+    if (space->dim > 0) paradt__space_end(space);
+}
+
+// Makes the predicates ready for one more point.
+PARADT__INLINE void paradt__view_admit(paradt__view *view, const double *x) {
+    if (!PARADT__LIKELY(!view->extended && paradt__space_admits(&view->scene.space, x)))
+        paradt__view_extend(view, x, x);
+}
+
+// Is x outside of the flat in which the points lie? cell: a finite one
+PARADT__NOINLINE int paradt__is_off_flat(paradt__view *view, paradt_index cell, const double *x) {
+    paradt__space *space = &view->scene.space;
+    const double *points[PARADT_MAX_DIM + 1];
+    const paradt_index *row = paradt__mesh_row(&view->scene.mesh, cell);
+    int axes[PARADT_MAX_DIM], axis;
+    for (axis = 0; axis <= space->dim; axis++) points[axis] = paradt__scene_record(&view->scene, row[axis]);
+    for (axis = 0; axis < space->dim; axis++) axes[axis] = axis;
+    for (; axis < space->ambient; axis++) {
+        axes[space->dim] = axis;
+        if (paradt__extends(&space->counters, space->dim, points, axes, x)) return 1;
+    }
+    return 0;
+}
+
+// Finds the cell that x is in, from any place near it on. x: admitted. *inside: a bit for each vertex of the face whose
+// interior holds x; 0: x is outside, and beyond a hull facet of the cell, or off the flat of the points. Returns
+// PARADT__OPEN where the mesh is no regular triangulation and the walk does not end.
+static paradt_index paradt__place_in(paradt__view *view, paradt_index from, const double *x, unsigned *inside) {
+    paradt__scene *scene = &view->scene;
+    const paradt__space *space = &scene->space;
+    size_t place;
+    int facet;
+    paradt_index cell;
+    if (space->dim == 0) { // one point is all there is
+        *inside = !paradt__is_off_flat(view, from, x);
+        return from;
+    }
+    cell = paradt__walk_any(scene, from, x, scene->mesh.count, inside);
+    if (cell < 0) return cell;
+    place = (size_t)cell;
+    paradt__mesh_behind_ghost(&scene->mesh, (size_t)scene->mesh.corners, &place, &facet);
+    if (space->dim < space->ambient && *inside && paradt__is_off_flat(view, (paradt_index)place, x)) *inside = 0;
+    return (paradt_index)place;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>starting cells
+//
+// Where to begin a search: a vertex near any place. Space is divided into buckets, each of which names a vertex in it
+// or, if it is empty, near it. A grid of buckets lies over the box of the points, and over each bucket with many points
+// another grid, and so on, so that clusters are divided as finely as they need it. A bucket is an index, of a vertex or
+// of the grid in it: about as many are there as half the points. Buckets are as long as wide, as far as halving allows:
+// the bits of a grid's buckets are dealt out among the axes, in any dimension.
+//
+// A bucket may be told of another vertex at any time. It is a hint and no more: whoever removes a vertex has the bucket
+// name another. After many more points have come the grids are to be made anew. Places outside of the box have the
+// buckets at its border.
+// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_put, paradt__starts_replace, paradt__starts_free.
+
+enum {
+    PARADT__START_POINTS = 2,  // a bucket, on average
+    PARADT__START_CROWD = 24,  // more points in a bucket get a grid of their own,
+    PARADT__START_LEVELS = 10, // ... unless it is one of so many already, one in the other
+    PARADT__START_BITS = 30,   // of a grid, at most
+    PARADT__START_NOBODY = -1, // a bucket without a vertex; below that are those that have a grid
+    PARADT__START_GRID = -2    // less the number of the grid
+};
+
+// The buckets of a grid: 2^bits of each axis
+typedef struct paradt__start_grid {
+    size_t first;                       // its first bucket
+    unsigned char bits[PARADT_MAX_DIM]; // the last axis varies fastest
+    unsigned char all;                  // sum of the bits
+    uint16_t above[PARADT_MAX_DIM];     // bits of the grids around it
+} paradt__start_grid;
+
+typedef struct paradt__starts {
+    int dim;
+    double low[PARADT_MAX_DIM], scale[PARADT_MAX_DIM]; // (x - low) * scale is from 0 to 1
+    double side[PARADT_MAX_DIM];                       // of the box, halved
+    paradt_index *buckets;
+    size_t bucket_count, bucket_capacity;
+    paradt__start_grid *grids;
+    size_t grid_count, grid_capacity;
+} paradt__starts;
+
+PARADT__OPTIONAL void paradt__starts_free(paradt__starts *starts, paradt__memory *memory) {
+    paradt__release(memory, starts->buckets);
+    paradt__release(memory, starts->grids);
+    memset(starts, 0, sizeof *starts);
+}
+
+// The bucket of a place, counted from the first. There is a grid.
+PARADT__INLINE size_t paradt__starts_bucket(const paradt__starts *starts, const double *x, int dim) {
+    const double most = 1 - 0.5 * PARADT__ROUNDOFF;
+    const paradt__start_grid *grid = starts->grids;
+    double part[PARADT_MAX_DIM];
+    int axis;
+    for (axis = 0; axis < dim; axis++) {
+        double place = (x[axis] - starts->low[axis]) * starts->scale[axis];
+        part[axis] = place > 0 ? place < most ? place : most : 0; // 0 for what is not a number, too
+    }
+    for (;;) {
+        size_t at = 0;
+        paradt_index found;
+        for (axis = 0; axis < dim; axis++) {
+            double place = part[axis] * (double)((uint32_t)1 << grid->bits[axis]);
+            uint32_t whole = (uint32_t)place;
+            part[axis] = place - (double)whole;
+            at = at << grid->bits[axis] | whole;
+        }
+        found = starts->buckets[grid->first + at];
+        if (found > PARADT__START_GRID) return grid->first + at;
+        grid = starts->grids + (PARADT__START_GRID - found);
+    }
+}
+
+PARADT__INLINE size_t paradt__starts_bucket_of(const paradt__starts *starts, const double *x) {
+    if (PARADT__IS(starts->dim, 3)) return paradt__starts_bucket(starts, x, 3);
+    if (starts->dim == 2) return paradt__starts_bucket(starts, x, 2);
+    return paradt__starts_bucket(starts, x, starts->dim);
+}
+
+// A vertex near a place, or -1: no points were given. *bucket: tells places apart that are not near each other
+PARADT__INLINE paradt_index paradt__starts_at(const paradt__starts *starts, const double *x, size_t *bucket) {
+    *bucket = 0;
+    if (!starts->grid_count) return -1;
+    *bucket = paradt__starts_bucket_of(starts, x);
+    return starts->buckets[*bucket];
+}
+
+// Names a vertex at x from now on.
+PARADT__OPTIONAL void paradt__starts_put(paradt__starts *starts, const double *x, paradt_index vertex) {
+    if (starts->grid_count) starts->buckets[paradt__starts_bucket_of(starts, x)] = vertex;
+}
+
+// Names another instead of a vertex at x that goes, if it is named there.
+PARADT__OPTIONAL void paradt__starts_replace(paradt__starts *starts, const double *x, paradt_index vertex,
+                                             paradt_index other) {
+    size_t bucket;
+    if (paradt__starts_at(starts, x, &bucket) == vertex && starts->grid_count) starts->buckets[bucket] = other;
+}
+
+// Adds a grid for so many points, without vertices. outer: the number of the grid that it is in; -1: none
+static paradt_status paradt__starts_add(paradt__starts *starts, size_t points, ptrdiff_t outer,
+                                        paradt__memory *memory) {
+    paradt__start_grid grid;
+    double side[PARADT_MAX_DIM];
+    paradt_status status;
+    int bits = paradt__bit_length(points / PARADT__START_POINTS), axis, longest;
+    memset(&grid, 0, sizeof grid);
+    for (axis = 0; axis < starts->dim; axis++) {
+        if (outer >= 0)
+            grid.above[axis] = (uint16_t)(starts->grids[outer].above[axis] + starts->grids[outer].bits[axis]);
+        side[axis] = starts->side[axis] * paradt__power(-grid.above[axis]);
+    }
+    for (; bits > 0 && grid.all < PARADT__START_BITS; bits--) {
+        for (axis = 1, longest = 0; axis < starts->dim; axis++) longest = side[axis] > side[longest] ? axis : longest;
+        if (!(side[longest] > 0)) break;
+        side[longest] *= 0.5;
+        grid.bits[longest]++;
+        grid.all++;
+    }
+    grid.first = starts->bucket_count;
+    status = paradt__list_room(&starts->buckets, starts->bucket_count, &starts->bucket_capacity,
+                               starts->bucket_count + ((size_t)1 << grid.all), memory);
+    if (status) return status;
+    if (starts->grid_count == starts->grid_capacity) {
+        size_t capacity = 2 * starts->grid_capacity + 4;
+        void *grids = starts->grids;
+        if (!paradt__grow(memory, &grids, starts->grid_count, capacity, sizeof grid)) return PARADT_ERROR_MEMORY;
+        starts->grids = (paradt__start_grid *)grids;
+        starts->grid_capacity = capacity;
+    }
+    starts->grids[starts->grid_count++] = grid;
+    starts->bucket_count += (size_t)1 << grid.all;
+    for (; grid.first < starts->bucket_count; grid.first++) starts->buckets[grid.first] = PARADT__START_NOBODY;
+    return PARADT_OK;
+}
+
+// The points that buckets are to name
+typedef struct paradt__start_points {
+    const double *records;
+    size_t width, count;
+    const paradt_index *order; // [count] their positions; NULL: 0, 1, ...
+} paradt__start_points;
+
+PARADT__INLINE paradt_index paradt__start_point(const paradt__start_points *points, size_t i) {
+    return points->order ? points->order[i] : (paradt_index)i;
+}
+
+// Gives each crowded bucket of the grids from `grid` on a grid of its own.
+// crowds: how many points each bucket has, from the first of these grids on
+static paradt_status paradt__starts_divide(paradt__starts *starts, size_t grid, const paradt_index *crowds,
+                                           paradt__memory *memory) {
+    size_t end = starts->grid_count, from = starts->grids[grid].first, bucket, last;
+    for (; grid < end; grid++) {
+        bucket = starts->grids[grid].first;
+        last = bucket + ((size_t)1 << starts->grids[grid].all);
+        if (!starts->grids[grid].all) continue; // it divides nothing
+        for (; bucket < last; bucket++) {
+            paradt_status status;
+            if (crowds[bucket - from] <= PARADT__START_CROWD) continue;
+            status = paradt__starts_add(starts, (size_t)crowds[bucket - from], (ptrdiff_t)grid, memory);
+            if (status) return status;
+            starts->buckets[bucket] = PARADT__START_GRID - (paradt_index)(starts->grid_count - 1);
+        }
+    }
+    return PARADT_OK;
+}
+
+// Makes the grids: level after level, until no bucket is crowded.
+static paradt_status paradt__starts_refine(paradt__starts *starts, const paradt__start_points *points,
+                                           paradt__memory *memory, paradt__meter *meter) {
+    size_t grid = 0, from, i;
+    paradt_status status = paradt__starts_add(starts, points->count, -1, memory);
+    int level;
+    for (level = 1; level <= PARADT__START_LEVELS && !status && grid < starts->grid_count; level++) {
+        size_t before = starts->grid_count;
+        paradt_index *crowds;
+        from = starts->grids[grid].first;
+        crowds = (paradt_index *)paradt__alloc_filled(memory, starts->bucket_count - from, sizeof *crowds);
+        if (!crowds) return PARADT_ERROR_MEMORY;
+        memset(crowds, 0, (starts->bucket_count - from) * sizeof *crowds);
+        for (i = 0; i < points->count; i++) {
+            size_t point = (size_t)paradt__start_point(points, i);
+            size_t bucket = paradt__starts_bucket_of(starts, points->records + point * points->width);
+            if (i % PARADT__PACE == 0 && meter && paradt__meter_cancels(meter)) {
+                status = PARADT_ERROR_CANCELLED;
+                break;
+            }
+            if (bucket >= from) crowds[bucket - from]++;
+        }
+        if (!status) status = paradt__starts_divide(starts, grid, crowds, memory);
+        paradt__release(memory, crowds);
+        grid = before;
+    }
+    return status;
+}
+
+// A vertex that a bucket names, or one in the grid over it, which is filled already
+static paradt_index paradt__starts_any(const paradt__starts *starts, size_t bucket) {
+    while (starts->buckets[bucket] <= PARADT__START_GRID) {
+        const paradt__start_grid *grid = starts->grids + (PARADT__START_GRID - starts->buckets[bucket]);
+        bucket = grid->first + ((size_t)1 << grid->all) / 2;
+    }
+    return starts->buckets[bucket];
+}
+
+// Has empty buckets of a grid name a vertex of the next one that is not empty along an axis, axis after axis.
+static void paradt__starts_fill(paradt__starts *starts, const paradt__start_grid *grid) {
+    size_t all = (size_t)1 << grid->all, i;
+    paradt_index *buckets = starts->buckets + grid->first;
+    int axis, shift = 0;
+    for (axis = starts->dim - 1; axis >= 0; shift += grid->bits[axis--]) {
+        size_t step = (size_t)1 << shift, last = (((size_t)1 << grid->bits[axis]) - 1) << shift;
+        for (i = 0; i < all; i++) {
+            if (buckets[i] == PARADT__START_NOBODY && i & last)
+                buckets[i] = paradt__starts_any(starts, grid->first + i - step);
+        }
+        for (i = all; i-- > 0;) {
+            if (buckets[i] == PARADT__START_NOBODY && (i & last) != last)
+                buckets[i] = paradt__starts_any(starts, grid->first + i + step);
+        }
+    }
+}
+
+// Makes zeroed starts of points of `dim` coordinates. meter: NULL, or asked now and then. After an error the caller
+// frees them.
+static paradt_status paradt__starts_make(paradt__starts *starts, const paradt__start_points *points, int dim,
+                                         paradt__memory *memory, paradt__meter *meter) {
+    double high[PARADT_MAX_DIM];
+    paradt_status status;
+    size_t i;
+    int axis;
+    if (!points->count) return PARADT_OK;
+    starts->dim = dim;
+    for (i = 0; i < points->count; i++) {
+        const double *x = points->records + (size_t)paradt__start_point(points, i) * points->width;
+        for (axis = 0; axis < dim; axis++) {
+            if (!i || x[axis] < starts->low[axis]) starts->low[axis] = x[axis];
+            if (!i || x[axis] > high[axis]) high[axis] = x[axis];
+        }
+    }
+    for (axis = 0; axis < dim; axis++) {
+        starts->side[axis] = high[axis] * 0.5 - starts->low[axis] * 0.5;
+        starts->scale[axis] = starts->side[axis] > 0 ? 0.5 / starts->side[axis] : 0;
+    }
+    status = paradt__starts_refine(starts, points, memory, meter);
+    if (status) return status;
+    for (i = 0; i < points->count; i++) {
+        paradt_index point = paradt__start_point(points, i);
+        paradt__starts_put(starts, points->records + (size_t)point * points->width, point);
+    }
+    for (i = starts->grid_count; i-- > 0;) paradt__starts_fill(starts, starts->grids + i);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>distances
+//
+// Which of two vertices is nearer to a place x: of the smaller power |x - p|^2 - w, or of the smaller distance where
+// there are no weights; ties are broken by the lexicographic order. A power is computed in doubles with a bound on its
+// error; where that leaves it open which is smaller, the difference is computed in integers.
+//
+// The bound: each square has been rounded three times, the sum of d <= 8 squares and the weight eight times at most, so
+// the error is less than 12 roundoffs times the sum of the sizes, to first order; twice that covers the higher orders
+// and the rounding of the bound itself. Underflow is covered by the space's `tiny`. The place must be admitted, and the
+// space's filters tell whether anything could overflow: without them all is done in integers.
+// Doors: paradt__power_at, paradt__compare_powers, paradt__compare_radius.
+
+#define PARADT__POWER_FACTOR (24 * PARADT__ROUNDOFF)
+
+typedef struct paradt__power_of {
+    double value, error; // the true power is within `error` of the value
+    paradt_index vertex;
+} paradt__power_of;
+
+// The power of x to a vertex. weighted: weights take part
+PARADT__INLINE paradt__power_of paradt__power_at(const paradt__scene *scene, const double *x, paradt_index vertex,
+                                                 int ambient, int weighted) {
+    const double *p = paradt__scene_record(scene, vertex);
+    paradt__power_of power;
+    double sum = 0, size;
+    int axis;
+    for (axis = 0; axis < ambient; axis++) sum += (x[axis] - p[axis]) * (x[axis] - p[axis]);
+    size = weighted ? sum + paradt__abs(p[ambient]) : sum;
+    power.value = weighted ? sum - p[ambient] : sum;
+    power.error = PARADT__POWER_FACTOR * size + scene->space.tiny;
+    power.vertex = vertex;
+    return power;
+}
+
+enum {
+    // digits of a difference of two doubles, and of a sum of 17 squares of such
+    PARADT__DISTANCE_DIGITS = (1024 + 1074 + 1) / PARADT__RADIX + 1,
+    PARADT__SQUARES_DIGITS = (2 * (1024 + 1074 + 1) + 5) / PARADT__RADIX + 2
+};
+
+// A sum of signed squares, in integers
+typedef struct paradt__squares {
+    int unit, digits; // of the differences,
+    int lift_unit;    // of the sum,
+    int sum_digits;   // and its digits
+    int used;         // products since the last carries
+    paradt__wide sum[PARADT__SQUARES_DIGITS];
+} paradt__squares;
+
+// Begins an empty sum for numbers in these ranges: of what is squared, and of weights.
+static void paradt__squares_begin(paradt__squares *s, const paradt__range *x, const paradt__range *w) {
+    int bits;
+    s->unit = paradt__min(x->unit, x->top);
+    bits = paradt__max(x->top, s->unit) + 1 - s->unit;
+    s->digits = paradt__digit_count(bits);
+    s->lift_unit = 2 * s->unit;
+    if (w->unit < s->lift_unit)
+        s->lift_unit -= (s->lift_unit - w->unit + PARADT__RADIX - 1) / PARADT__RADIX * PARADT__RADIX;
+    bits = paradt__max(2 * (s->unit + bits) + 5, w->top + 2) - s->lift_unit;
+    s->sum_digits = paradt__digit_count(bits);
+    s->used = 8; // the weights add less than 8 products
+    PARADT_ASSERT(s->digits <= PARADT__DISTANCE_DIGITS && s->sum_digits <= PARADT__SQUARES_DIGITS);
+    paradt__clear_any(s->sum, s->sum_digits);
+}
+
+// Adds sign * (a - b)^2.
+static void paradt__squares_add(paradt__squares *s, int sign, double a, double b) {
+    const int offset = (2 * s->unit - s->lift_unit) / PARADT__RADIX;
+    paradt__wide difference[PARADT__DISTANCE_DIGITS];
+    paradt__digit digits[PARADT__DISTANCE_DIGITS];
+    paradt__clear_any(difference, s->digits);
+    paradt__add_difference(difference, 1, a, b, s->unit);
+    paradt__store_any(digits, difference, s->digits);
+    paradt__make_room(s->sum, s->sum_digits, &s->used, s->digits);
+    paradt__multiply_add_any(s->sum + offset, sign, digits, s->digits, digits, s->digits);
+}
+
+static int paradt__squares_sign(const paradt__squares *s) {
+    paradt__digit digits[PARADT__SQUARES_DIGITS];
+    paradt__store_any(digits, s->sum, s->sum_digits);
+    return paradt__sign(digits, s->sum_digits);
+}
+
+// The sign of the power of x to the vertex a less that to b
+PARADT__NOINLINE int paradt__exact_powers(const paradt__scene *scene, const double *x, paradt_index a, paradt_index b,
+                                          int weighted) {
+    const double *p = paradt__scene_record(scene, a), *q = paradt__scene_record(scene, b);
+    const int ambient = scene->space.ambient;
+    paradt__range coordinates = paradt__no_range, weights = paradt__no_range;
+    paradt__squares s;
+    int axis;
+    for (axis = 0; axis < ambient; axis++) {
+        paradt__measure(&coordinates, x[axis]);
+        paradt__measure(&coordinates, p[axis]);
+        paradt__measure(&coordinates, q[axis]);
+    }
+    if (weighted) {
+        paradt__measure(&weights, p[ambient]);
+        paradt__measure(&weights, q[ambient]);
+    }
+    paradt__squares_begin(&s, &coordinates, &weights);
+    for (axis = 0; axis < ambient; axis++) {
+        paradt__squares_add(&s, 1, x[axis], p[axis]);
+        paradt__squares_add(&s, -1, x[axis], q[axis]);
+    }
+    if (weighted) paradt__add_difference(s.sum, -1, p[ambient], q[ambient], s.lift_unit);
+    return paradt__squares_sign(&s);
+}
+
+// Decides what the powers' values leave open.
+PARADT__NOINLINE int paradt__compare_close_powers(const paradt__scene *scene, const double *x,
+                                                  const paradt__power_of *a, const paradt__power_of *b, int weighted) {
+    const paradt__space *space = &scene->space;
+    int sign = 1;
+    if (a->vertex == b->vertex) return 0;
+    if (space->bounded) { // a difference less than its quantum is 0
+        int unit = 2 * space->coordinates.unit;
+        if (weighted) unit = paradt__min(unit, space->weights.unit);
+        if (paradt__abs(a->value - b->value) + 2 * (a->error + b->error) < paradt__quantum(unit)) sign = 0;
+    }
+    if (sign) sign = paradt__exact_powers(scene, x, a->vertex, b->vertex, weighted);
+    return sign
+               ? sign
+               : paradt__compare(space, paradt__scene_record(scene, a->vertex), paradt__scene_record(scene, b->vertex));
+}
+
+// Is a nearer to x than b (-1), or b (1)? 0: they are one vertex
+PARADT__INLINE int paradt__compare_powers(const paradt__scene *scene, const double *x, const paradt__power_of *a,
+                                          const paradt__power_of *b, int weighted) {
+    double difference = a->value - b->value, error = 2 * (a->error + b->error);
+    if (PARADT__LIKELY((difference > error || difference < -error) && scene->space.bounded))
+        return difference > 0 ? 1 : -1;
+    return paradt__compare_close_powers(scene, x, a, b, weighted);
+}
+
+// The sign of the distance of x from a vertex less the radius, which is not negative and finite
+static int paradt__compare_radius(const paradt__scene *scene, const double *x, paradt_index vertex, double radius) {
+    const double *p = paradt__scene_record(scene, vertex);
+    const int ambient = scene->space.ambient;
+    paradt__power_of power = paradt__power_at(scene, x, vertex, ambient, 0);
+    paradt__range range = paradt__no_range;
+    paradt__squares s;
+    int axis;
+    if (scene->space.bounded && radius < paradt__power(500)) {
+        double difference = power.value - radius * radius;
+        double error = 2 * (power.error + PARADT__POWER_FACTOR * radius * radius);
+        if (difference > error || difference < -error) return difference > 0 ? 1 : -1;
+    }
+    paradt__measure(&range, radius);
+    for (axis = 0; axis < ambient; axis++) {
+        paradt__measure(&range, x[axis]);
+        paradt__measure(&range, p[axis]);
+    }
+    paradt__squares_begin(&s, &range, &paradt__no_range);
+    for (axis = 0; axis < ambient; axis++) paradt__squares_add(&s, 1, x[axis], p[axis]);
+    paradt__squares_add(&s, -1, radius, 0);
+    return paradt__squares_sign(&s);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>nearest
+//
+// The vertex of the smallest power to a place, in any scene: greedy descent. In T(P) a vertex that is not the one has a
+// neighbour that is nearer, because lifted to |p|^2 - w the cells are a convex function, and so they are with any
+// affine function added, here that of the power to x; a vertex where it is not smallest has an edge along which it
+// falls. The same holds among equally near ones for the lexicographic order, an affine function of infinitesimal
+// weights: so the descent ends at the first of them. The neighbours come from the cells around the vertex.
+//
+// Nothing is written but on the stack. Only where a vertex has more cells than PARADT__STAR_CELLS memory is needed; if
+// there is none, all cells are looked at.
+// Doors: paradt__nearest_in, paradt__seen_add, paradt__seen_clear, paradt__seen_free.
+
+// A set of indices that are not negative, in the order in which they came
+typedef struct paradt__seen {
+    paradt__list items;
+    paradt_index *table; // [slots] hashed; PARADT__OPEN: free
+    size_t slots;        // a power of two, or 0
+} paradt__seen;
+
+PARADT__INLINE size_t paradt__seen_slot(const paradt__seen *seen, paradt_index item) {
+    return (size_t)(((uint64_t)item * UINT64_C(0x9e3779b97f4a7c15)) >> 32) & (seen->slots - 1);
+}
+
+static paradt_status paradt__seen_grow(paradt__seen *seen, paradt__memory *memory) {
+    size_t slots = seen->slots ? 2 * seen->slots : 128, i, at;
+    paradt_index *table = (paradt_index *)paradt__alloc(memory, slots, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < slots; i++) table[i] = PARADT__OPEN;
+    paradt__release(memory, seen->table);
+    seen->table = table;
+    seen->slots = slots;
+    for (i = 0; i < seen->items.count; i++) {
+        for (at = paradt__seen_slot(seen, seen->items.items[i]); table[at] >= 0;) at = (at + 1) & (slots - 1);
+        table[at] = seen->items.items[i];
+    }
+    return PARADT_OK;
+}
+
+// Adds an item. *fresh: it was not there before
+PARADT__INLINE paradt_status paradt__seen_add(paradt__seen *seen, paradt_index item, int *fresh,
+                                              paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    size_t at;
+    if (2 * seen->items.count >= seen->slots) status = paradt__seen_grow(seen, memory);
+    if (status) return status;
+    *fresh = 0;
+    for (at = paradt__seen_slot(seen, item); seen->table[at] != item; at = (at + 1) & (seen->slots - 1)) {
+        if (seen->table[at] >= 0) continue;
+        status = paradt__list_append(&seen->items, item, memory);
+        if (status) return status;
+        seen->table[at] = item;
+        *fresh = 1;
+        break;
+    }
+    return PARADT_OK;
+}
+
+// Empties the set, in the time that its items took.
+static void paradt__seen_clear(paradt__seen *seen) {
+    size_t i, at;
+    for (i = 0; i < seen->items.count; i++) {
+        for (at = paradt__seen_slot(seen, seen->items.items[i]); seen->table[at] != seen->items.items[i];)
+            at = (at + 1) & (seen->slots - 1);
+        seen->table[at] = PARADT__OPEN;
+    }
+    seen->items.count = 0;
+}
+
+static void paradt__seen_free(paradt__seen *seen, paradt__memory *memory) {
+    paradt__list_free(&seen->items, memory);
+    paradt__release(memory, seen->table);
+    memset(seen, 0, sizeof *seen);
+}
+
+// The best vertex so far, and a cell that has it
+typedef struct paradt__candidate {
+    paradt__power_of power;
+    paradt_index cell;
+} paradt__candidate;
+
+static void paradt__candidate_try(const paradt__scene *scene, const double *x, paradt_index vertex, paradt_index cell,
+                                  paradt__candidate *best) {
+    const int weighted = scene->space.weighted;
+    paradt__power_of power;
+    if (vertex < 0 || vertex == best->power.vertex) return;
+    power = paradt__power_at(scene, x, vertex, scene->space.ambient, weighted);
+    if (best->power.vertex >= 0 && paradt__compare_powers(scene, x, &power, &best->power, weighted) > 0) return;
+    best->power = power;
+    best->cell = cell;
+}
+
+// Tries all vertices of a cell or ghost; at a free place there are none.
+static void paradt__candidate_try_cell(const paradt__scene *scene, const double *x, paradt_index cell,
+                                       paradt__candidate *best) {
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    int i;
+    if (row[0] == PARADT__DEAD) return;
+    for (i = 0; i < scene->mesh.corners; i++) paradt__candidate_try(scene, x, row[i], cell, best);
+}
+
+// Tries the neighbours of the best vertex, of whatever number.
+static paradt_status paradt__candidate_try_all_around(const paradt__scene *scene, const double *x,
+                                                      paradt__candidate *best, paradt__memory *memory) {
+    const paradt__mesh *mesh = &scene->mesh;
+    const paradt_index vertex = best->power.vertex, corners = mesh->corners;
+    paradt__seen star;
+    paradt_status status;
+    size_t next;
+    int fresh;
+    memset(&star, 0, sizeof star);
+    status = paradt__seen_add(&star, best->cell, &fresh, memory);
+    for (next = 0; next < star.items.count && !status; next++) {
+        const paradt_index base = star.items.items[next] * corners;
+        paradt_index i;
+        paradt__candidate_try_cell(scene, x, star.items.items[next], best);
+        for (i = base; i < base + corners && !status; i++) {
+            if (mesh->vertices[i] != vertex) status = paradt__seen_add(&star, mesh->links[i] / corners, &fresh, memory);
+        }
+    }
+    paradt__seen_free(&star, memory);
+    return status;
+}
+
+// Returns the vertex that is nearest to x; of equally near ones the first in lexicographic order. cell: one near x, not
+// a ghost; x: admitted.
+static paradt_index paradt__nearest_in(const paradt__view *view, paradt_index cell, const double *x,
+                                       paradt__memory *memory) {
+    const paradt__scene *scene = &view->scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt__star star;
+    paradt__candidate best;
+    paradt_index vertex = PARADT__NOWHERE;
+    size_t i;
+    memset(&best, 0, sizeof best);
+    best.power.vertex = -1;
+    paradt__candidate_try_cell(scene, x, cell, &best);
+    while (best.power.vertex != vertex && scene->space.dim > 0) {
+        vertex = best.power.vertex;
+        paradt__star_of(mesh, best.cell, vertex, &star);
+        for (i = 0; i < star.count; i++) {
+            paradt_index handle = star.handles[i];
+            paradt__candidate_try(scene, x, mesh->vertices[handle], handle / mesh->corners, &best);
+        }
+        if (best.power.vertex != vertex || star.count <= PARADT__STAR_CELLS) continue;
+        if (!paradt__candidate_try_all_around(scene, x, &best, memory)) continue;
+        for (i = 0; i < mesh->count; i++) paradt__candidate_try_cell(scene, x, (paradt_index)i, &best);
+        break;
+    }
+    return best.power.vertex;
+}
+#endif // PARADT_NO_LOCATOR and PARADT_NO_DYNAMIC
 
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------
