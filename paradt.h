@@ -1492,10 +1492,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
 //     repair                       510   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
-//     location                      82   the face that holds a place, asked from any thread
+//     location                      83   the face that holds a place, asked from any thread
 //     starting cells               253   a vertex near any place
-//     distances                    160   which of two vertices is nearer
+//     distances                    161   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
+//     adjacency                    189   a vertex to its cells and its neighbours, edges
+//     searches among neighbours    171   the k nearest, those in a ball
+//     along                        154   the cells along a segment
+//     locator                      521   the entry of queries
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -16912,8 +16916,8 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
 // >>triangulate
 //
 // The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
-// Doors: the public functions; paradt__packed_points, paradt__withdraw; for ranks, too, paradt__check_arguments,
-// paradt__triangulate_region, paradt__flat_text.
+// Doors: the public functions; paradt__packed_points, paradt__withdraw, paradt__options_fault; for ranks, too,
+// paradt__check_arguments, paradt__triangulate_region, paradt__flat_text.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
@@ -20678,7 +20682,7 @@ typedef struct paradt__view {
     int extended;                  // the own space has been extended
 } paradt__view;
 
-static void paradt__view_begin(paradt__view *view, const paradt__scene *scene) {
+PARADT__OPTIONAL void paradt__view_begin(paradt__view *view, const paradt__scene *scene) {
     view->scene = *scene;
     view->measured = &scene->space;
     view->extended = 0;
@@ -20725,7 +20729,8 @@ PARADT__NOINLINE int paradt__is_off_flat(paradt__view *view, paradt_index cell, 
 // Finds the cell that x is in, from any place near it on. x: admitted. *inside: a bit for each vertex of the face whose
 // interior holds x; 0: x is outside, and beyond a hull facet of the cell, or off the flat of the points. Returns
 // PARADT__OPEN where the mesh is no regular triangulation and the walk does not end.
-static paradt_index paradt__place_in(paradt__view *view, paradt_index from, const double *x, unsigned *inside) {
+PARADT__OPTIONAL paradt_index paradt__place_in(paradt__view *view, paradt_index from, const double *x,
+                                               unsigned *inside) {
     paradt__scene *scene = &view->scene;
     const paradt__space *space = &scene->space;
     size_t place;
@@ -20967,8 +20972,8 @@ static void paradt__starts_fill(paradt__starts *starts, const paradt__start_grid
 
 // Makes zeroed starts of points of `dim` coordinates. meter: NULL, or asked now and then. After an error the caller
 // frees them.
-static paradt_status paradt__starts_make(paradt__starts *starts, const paradt__start_points *points, int dim,
-                                         paradt__memory *memory, paradt__meter *meter) {
+PARADT__OPTIONAL paradt_status paradt__starts_make(paradt__starts *starts, const paradt__start_points *points, int dim,
+                                                   paradt__memory *memory, paradt__meter *meter) {
     double high[PARADT_MAX_DIM];
     paradt_status status;
     size_t i;
@@ -21133,7 +21138,8 @@ PARADT__INLINE int paradt__compare_powers(const paradt__scene *scene, const doub
 }
 
 // The sign of the distance of x from a vertex less the radius, which is not negative and finite
-static int paradt__compare_radius(const paradt__scene *scene, const double *x, paradt_index vertex, double radius) {
+PARADT__OPTIONAL int paradt__compare_radius(const paradt__scene *scene, const double *x, paradt_index vertex,
+                                            double radius) {
     const double *p = paradt__scene_record(scene, vertex);
     const int ambient = scene->space.ambient;
     paradt__power_of power = paradt__power_at(scene, x, vertex, ambient, 0);
@@ -21215,7 +21221,7 @@ PARADT__INLINE paradt_status paradt__seen_add(paradt__seen *seen, paradt_index i
 }
 
 // Empties the set, in the time that its items took.
-static void paradt__seen_clear(paradt__seen *seen) {
+PARADT__OPTIONAL void paradt__seen_clear(paradt__seen *seen) {
     size_t i, at;
     for (i = 0; i < seen->items.count; i++) {
         for (at = paradt__seen_slot(seen, seen->items.items[i]); seen->table[at] != seen->items.items[i];)
@@ -21282,8 +21288,8 @@ static paradt_status paradt__candidate_try_all_around(const paradt__scene *scene
 
 // Returns the vertex that is nearest to x; of equally near ones the first in lexicographic order. cell: one near x, not
 // a ghost; x: admitted.
-static paradt_index paradt__nearest_in(const paradt__view *view, paradt_index cell, const double *x,
-                                       paradt__memory *memory) {
+PARADT__OPTIONAL paradt_index paradt__nearest_in(const paradt__view *view, paradt_index cell, const double *x,
+                                                 paradt__memory *memory) {
     const paradt__scene *scene = &view->scene;
     const paradt__mesh *mesh = &scene->mesh;
     paradt__star star;
@@ -21308,6 +21314,1041 @@ static paradt_index paradt__nearest_in(const paradt__view *view, paradt_index ce
     return best.power.vertex;
 }
 #endif // PARADT_NO_LOCATOR and PARADT_NO_DYNAMIC
+
+#ifndef PARADT_NO_LOCATOR
+// ---------------------------------------------------------------------------------------------------------------------
+// >>adjacency
+//
+// Which cells a vertex has, and which vertices it has edges with, as lists end to end. They are made from the rows of
+// the cells alone: the cells of each vertex by counting, its neighbours by marking each when it is met first. Lists of
+// neighbours become ascending by being transposed: the relation is symmetric.
+// Doors: paradt__relation_of_cells, paradt__relation_of_neighbors, paradt__relation_free; the public functions.
+
+typedef struct paradt__relation {
+    size_t *first;       // [points + 1] where each list begins, and the end of the last
+    paradt_index *items; // [first[points]]
+} paradt__relation;
+
+static void paradt__relation_free(paradt__relation *lists, paradt__memory *memory) {
+    paradt__release(memory, lists->first);
+    paradt__release(memory, lists->items);
+    memset(lists, 0, sizeof *lists);
+}
+
+// Makes room for an item in each list that it is counted for, in first[list + 1].
+static paradt_status paradt__relation_sum(paradt__relation *lists, size_t points, paradt__memory *memory) {
+    size_t i;
+    for (i = 0; i < points; i++) lists->first[i + 1] += lists->first[i];
+    lists->items = (paradt_index *)paradt__alloc(memory, lists->first[points], sizeof *lists->items);
+    return lists->items ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// After first[list] has moved to the end of each list as it was filled, moves it to the beginning again.
+static void paradt__relation_rewind(paradt__relation *lists, size_t points) {
+    memmove(lists->first + 1, lists->first, points * sizeof *lists->first);
+    lists->first[0] = 0;
+}
+
+// Lists the cells of each point, ascending. INVALID: a vertex is no point. After an error the caller frees the lists.
+static paradt_status paradt__relation_of_cells(paradt__relation *lists, const paradt_index *cells, size_t count,
+                                               int corners, size_t points, paradt__memory *memory) {
+    size_t all = count * (size_t)corners, i;
+    paradt_status status;
+    lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
+    if (!lists->first) return PARADT_ERROR_MEMORY;
+    memset(lists->first, 0, (points + 1) * sizeof *lists->first);
+    for (i = 0; i < all; i++) {
+        if ((paradt__tag)cells[i] >= (paradt__tag)points) return PARADT_ERROR_INVALID;
+        lists->first[cells[i] + 1]++;
+    }
+    status = paradt__relation_sum(lists, points, memory);
+    if (status) return status;
+    for (i = 0; i < all; i++) lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    paradt__relation_rewind(lists, points);
+    return PARADT_OK;
+}
+
+// Lists the neighbours of each point, in any order. cells_of: the cells of each. meter: asked now and then. After an
+// error the caller frees the lists.
+static paradt_status paradt__relation_of_neighbors(paradt__relation *lists, const paradt__relation *cells_of,
+                                                   const paradt_index *cells, int corners, size_t points,
+                                                   paradt__memory *memory, paradt__meter *meter) {
+    enum { AHEAD = 8 };
+    paradt_index *met = (paradt_index *)paradt__alloc(memory, points, sizeof *met);
+    paradt__list items;
+    paradt_status status = PARADT_OK;
+    size_t i, j;
+    int k;
+    memset(&items, 0, sizeof items);
+    lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
+    if (!met || !lists->first) status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < points && met; i++) met[i] = -1;
+    for (i = 0; i < points && !status; i++) {
+        lists->first[i] = items.count;
+        if (i % PARADT__PACE == 0 && paradt__meter_cancels(meter)) status = PARADT_ERROR_CANCELLED;
+        if (cells_of->first[i] < cells_of->first[i + 1]) met[i] = (paradt_index)i;
+        for (j = cells_of->first[i]; j < cells_of->first[i + 1] && !status; j++) {
+            const paradt_index *row = cells + (size_t)cells_of->items[j] * (size_t)corners;
+            if (j + AHEAD < cells_of->first[points])
+                PARADT__FETCH(cells, (size_t)cells_of->items[j + AHEAD] * (size_t)corners);
+            status =
+                paradt__list_room(&items.items, items.count, &items.capacity, items.count + (size_t)corners, memory);
+            for (k = 0; k < corners && !status; k++) {
+                if (met[row[k]] == (paradt_index)i) continue;
+                met[row[k]] = (paradt_index)i;
+                items.items[items.count++] = row[k];
+            }
+        }
+    }
+    paradt__release(memory, met);
+    lists->items = items.items;
+    if (lists->first) lists->first[points] = items.count;
+    if (!status && !items.items) lists->items = (paradt_index *)paradt__alloc(memory, 0, sizeof *lists->items);
+    return status || lists->items ? status : PARADT_ERROR_MEMORY;
+}
+
+// Makes ascending lists of neighbours of others.
+static paradt_status paradt__relation_transpose(paradt__relation *to, const paradt__relation *from, size_t points,
+                                                paradt__memory *memory) {
+    size_t i, j;
+    to->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *to->first);
+    to->items = (paradt_index *)paradt__alloc(memory, from->first[points], sizeof *to->items);
+    if (!to->first || !to->items) return PARADT_ERROR_MEMORY;
+    memcpy(to->first, from->first, (points + 1) * sizeof *to->first);
+    for (i = 0; i < points; i++) {
+        for (j = from->first[i]; j < from->first[i + 1]; j++) to->items[to->first[from->items[j]]++] = (paradt_index)i;
+    }
+    paradt__relation_rewind(to, points);
+    return PARADT_OK;
+}
+
+// Lists the edges, of two vertices each. *count: their number
+static paradt_status paradt__relation_of_edges(paradt__relation *to, const paradt__relation *from, size_t points,
+                                               size_t *count, paradt__memory *memory) {
+    size_t edges = from->first[points] / 2, i, j, at = 0;
+    to->first = (size_t *)paradt__alloc(memory, edges + 1, sizeof *to->first);
+    to->items = (paradt_index *)paradt__alloc(memory, 2 * edges, sizeof *to->items);
+    if (!to->first || !to->items) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < points; i++) {
+        for (j = from->first[i]; j < from->first[i + 1]; j++) {
+            if (from->items[j] <= (paradt_index)i) continue;
+            to->items[at++] = (paradt_index)i;
+            to->items[at++] = from->items[j];
+        }
+    }
+    PARADT_ASSERT(at == 2 * edges);
+    for (i = 0; i <= edges; i++) to->first[i] = 2 * i;
+    *count = edges;
+    return PARADT_OK;
+}
+
+// Makes the lists that are wanted. *count: their number
+static paradt_status paradt__adjacency_make(paradt__relation *lists, const paradt_triangulation *t,
+                                            paradt_adjacent what, size_t *count, paradt__memory *memory) {
+    paradt__relation cells, neighbors;
+    paradt__meter meter;
+    paradt_status status;
+    memset(&cells, 0, sizeof cells);
+    memset(&neighbors, 0, sizeof neighbors);
+    paradt__meter_begin(&meter, NULL);
+    *count = t->point_count;
+    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory);
+    if (what == PARADT_VERTEX_CELLS) {
+        *lists = cells;
+        return status;
+    }
+    if (!status)
+        status = paradt__relation_of_neighbors(&neighbors, &cells, t->cells, t->dim + 1, *count, memory, &meter);
+    paradt__relation_free(&cells, memory);
+    if (!status) status = paradt__relation_transpose(what == PARADT_EDGES ? &cells : lists, &neighbors, *count, memory);
+    paradt__relation_free(&neighbors, memory);
+    if (!status && what == PARADT_EDGES) status = paradt__relation_of_edges(lists, &cells, *count, count, memory);
+    paradt__relation_free(&cells, memory);
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_adjacency_compute(paradt_adjacency *out, const paradt_triangulation *t,
+                                                  paradt_adjacent what, const paradt_options *options) {
+    paradt__memory memory;
+    paradt__relation lists;
+    paradt_status status;
+    size_t count = 0;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    memset(out, 0, sizeof *out);
+    if (!t || (unsigned)what > PARADT_EDGES || t->dim < -1 || t->dim > PARADT_MAX_DIM ||
+        (t->cell_count && (!t->cells || t->dim < 0)) || (options && paradt__options_fault(options)))
+        return PARADT_ERROR_ARGUMENT;
+    if (t->point_count > paradt__most_cells(2)) return PARADT_ERROR_TOO_LARGE;
+    memset(&lists, 0, sizeof lists);
+    paradt__memory_begin(&memory, options);
+    status = paradt__adjacency_make(&lists, t, what, &count, &memory);
+    if (status) {
+        paradt__relation_free(&lists, &memory);
+        return status;
+    }
+    out->count = count;
+    out->first = lists.first;
+    out->items = lists.items;
+    out->allocator = memory.allocator;
+    return PARADT_OK;
+}
+
+PARADT_DEF void paradt_adjacency_free(paradt_adjacency *adjacency) {
+    paradt__memory memory;
+    paradt_options options;
+    if (!adjacency) return;
+    memset(&options, 0, sizeof options);
+    options.allocator = adjacency->allocator;
+    paradt__memory_begin(&memory, &options);
+    paradt__release(&memory, adjacency->first);
+    paradt__release(&memory, adjacency->items);
+    memset(adjacency, 0, sizeof *adjacency);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>searches among neighbours
+//
+// The nearest vertex, the k nearest, and those in a ball, where the neighbours of each vertex are listed. All rest on
+// what >>nearest says of the descent: every vertex but the first has a neighbour that comes before it, in the order of
+// powers and, among equal ones, the lexicographic order. So the vertices up to any one in this order hang together, and
+// the next is always a neighbour of one of them. Vertices in a ball of radius r have powers of at most r^2 less the
+// least weight, and are looked for among these.
+// Doors: paradt__descend, paradt__first_some, paradt__in_ball, paradt__scratch_of, paradt__scratch_done; the public
+// function.
+
+// Returns the first vertex in the order of powers. vertex: one nearby to begin with
+PARADT__INLINE paradt_index paradt__descend_any(const paradt__scene *scene, const paradt__relation *neighbors,
+                                                const double *x, paradt_index vertex, int ambient, int weighted) {
+    paradt__power_of best = paradt__power_at(scene, x, vertex, ambient, weighted);
+    do {
+        const paradt_index *at = neighbors->items + neighbors->first[vertex = best.vertex], *item;
+        const paradt_index *end = neighbors->items + neighbors->first[vertex + 1];
+        for (item = at; item < end; item++) PARADT__FETCH(scene->records, (size_t)*item * scene->width);
+        for (item = at; item < end; item++) {
+            paradt__power_of power = paradt__power_at(scene, x, *item, ambient, weighted);
+            if (paradt__compare_powers(scene, x, &power, &best, weighted) < 0) best = power;
+        }
+    } while (best.vertex != vertex);
+    return vertex;
+}
+
+static paradt_index paradt__descend(const paradt__scene *scene, const paradt__relation *neighbors, const double *x,
+                                    paradt_index vertex) {
+    const int ambient = scene->space.ambient, weighted = scene->space.weighted;
+    if (PARADT__IS(ambient, 3) && !weighted) return paradt__descend_any(scene, neighbors, x, vertex, 3, 0);
+    if (ambient == 2 && !weighted) return paradt__descend_any(scene, neighbors, x, vertex, 2, 0);
+    return paradt__descend_any(scene, neighbors, x, vertex, ambient, weighted);
+}
+
+// What searches of one thread keep: the block of paradt_work
+typedef struct paradt__scratch {
+    paradt__memory memory;
+    paradt__seen seen;      // vertices
+    paradt__power_of *heap; // [heap_capacity] those not taken yet: a heap, the first in the order on top
+    size_t heap_count, heap_capacity;
+    paradt__list found;    // what was found
+    paradt__keyed *sorted; // [2 * sorted_capacity] for sorting it
+    size_t sorted_capacity;
+} paradt__scratch;
+
+// Returns the scratch of a work, emptied; NULL: there is no memory
+static paradt__scratch *paradt__scratch_of(paradt_work *work) {
+    paradt__scratch *scratch = (paradt__scratch *)work->block;
+    if (!scratch) {
+        paradt_options options;
+        paradt__memory memory;
+        memset(&options, 0, sizeof options);
+        options.allocator = work->allocator;
+        paradt__memory_begin(&memory, &options);
+        scratch = (paradt__scratch *)paradt__alloc(&memory, 1, sizeof *scratch);
+        if (!scratch) return NULL;
+        memset(scratch, 0, sizeof *scratch);
+        scratch->memory = memory;
+        work->block = scratch;
+    }
+    paradt__seen_clear(&scratch->seen);
+    scratch->heap_count = scratch->found.count = 0;
+    return scratch;
+}
+
+static void paradt__scratch_done(const paradt__scratch *scratch, paradt_work *work) {
+    work->size = (size_t)scratch->memory.held;
+}
+
+PARADT_DEF void paradt_work_free(paradt_work *work) {
+    paradt__scratch *scratch = work ? (paradt__scratch *)work->block : NULL;
+    paradt__memory memory;
+    if (!scratch) return;
+    memory = scratch->memory;
+    paradt__seen_free(&scratch->seen, &memory);
+    paradt__list_free(&scratch->found, &memory);
+    paradt__release(&memory, scratch->heap);
+    paradt__release(&memory, scratch->sorted);
+    paradt__release(&memory, scratch);
+    work->block = NULL;
+    work->size = 0;
+}
+
+// Puts a vertex onto the heap, if it is seen for the first time.
+static paradt_status paradt__heap_push(paradt__scratch *scratch, const paradt__scene *scene, const double *x,
+                                       paradt_index vertex) {
+    const int weighted = scene->space.weighted;
+    paradt__power_of power;
+    size_t at, up;
+    int fresh;
+    paradt_status status = paradt__seen_add(&scratch->seen, vertex, &fresh, &scratch->memory);
+    if (status || !fresh) return status;
+    if (scratch->heap_count == scratch->heap_capacity) {
+        void *heap = scratch->heap;
+        size_t capacity = 2 * scratch->heap_capacity + 32;
+        if (!paradt__grow(&scratch->memory, &heap, scratch->heap_count, capacity, sizeof *scratch->heap))
+            return PARADT_ERROR_MEMORY;
+        scratch->heap = (paradt__power_of *)heap;
+        scratch->heap_capacity = capacity;
+    }
+    power = paradt__power_at(scene, x, vertex, scene->space.ambient, weighted);
+    for (at = scratch->heap_count++; at > 0; at = up) {
+        up = (at - 1) / 2;
+        if (paradt__compare_powers(scene, x, &power, &scratch->heap[up], weighted) > 0) break;
+        scratch->heap[at] = scratch->heap[up];
+    }
+    scratch->heap[at] = power;
+    return PARADT_OK;
+}
+
+// Takes the first vertex from the heap, which is not empty.
+static paradt_index paradt__heap_pop(paradt__scratch *scratch, const paradt__scene *scene, const double *x) {
+    const int weighted = scene->space.weighted;
+    paradt__power_of *heap = scratch->heap, last = heap[--scratch->heap_count];
+    paradt_index vertex = heap[0].vertex;
+    size_t at = 0, down, count = scratch->heap_count;
+    for (; (down = 2 * at + 1) < count; at = down) {
+        if (down + 1 < count && paradt__compare_powers(scene, x, &heap[down + 1], &heap[down], weighted) < 0) down++;
+        if (paradt__compare_powers(scene, x, &heap[down], &last, weighted) > 0) break;
+        heap[at] = heap[down];
+    }
+    if (count) heap[at] = last;
+    return vertex;
+}
+
+// Lists the first `count` vertices, in their order, in scratch->found. vertex: the very first
+static paradt_status paradt__first_some(paradt__scratch *scratch, const paradt__scene *scene,
+                                        const paradt__relation *neighbors, const double *x, paradt_index vertex,
+                                        size_t count) {
+    paradt_status status = paradt__heap_push(scratch, scene, x, vertex);
+    size_t j;
+    while (!status && scratch->heap_count && scratch->found.count < count) {
+        vertex = paradt__heap_pop(scratch, scene, x);
+        status = paradt__list_append(&scratch->found, vertex, &scratch->memory);
+        if (scratch->found.count == count) break;
+        for (j = neighbors->first[vertex]; j < neighbors->first[vertex + 1] && !status; j++)
+            status = paradt__heap_push(scratch, scene, x, neighbors->items[j]);
+    }
+    return status;
+}
+
+// Lists the vertices at most `radius` from x, in any order, in scratch->found. vertex: the first; least: the least
+// weight. radius: not negative, may be infinite
+static paradt_status paradt__in_ball(paradt__scratch *scratch, const paradt__scene *scene,
+                                     const paradt__relation *neighbors, const double *x, paradt_index vertex,
+                                     double radius, double least) {
+    const paradt__space *space = &scene->space;
+    const int weighted = space->weighted, finite = paradt__is_finite(radius);
+    const int bounded = finite && space->bounded && radius < paradt__power(500);
+    double limit = bounded ? radius * radius - least : 0, size = bounded ? radius * radius + paradt__abs(least) : 0;
+    double error = 4 * PARADT__POWER_FACTOR * size;
+    int fresh;
+    size_t next, j;
+    paradt_status status = paradt__seen_add(&scratch->seen, vertex, &fresh, &scratch->memory);
+    for (next = 0; next < scratch->seen.items.count && !status; next++) {
+        paradt__power_of power;
+        vertex = scratch->seen.items.items[next];
+        power = paradt__power_at(scene, x, vertex, space->ambient, weighted);
+        if (bounded && power.value - limit > 2 * power.error + error) continue;
+        if (finite && paradt__compare_radius(scene, x, vertex, radius) > 0) {
+            if (!weighted) continue;
+        } else {
+            status = paradt__list_append(&scratch->found, vertex, &scratch->memory);
+        }
+        for (j = neighbors->first[vertex]; j < neighbors->first[vertex + 1] && !status; j++)
+            status = paradt__seen_add(&scratch->seen, neighbors->items[j], &fresh, &scratch->memory);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>along
+//
+// The cells along a segment from a to b. The walk is at a place p on the segment, which it does not compute: it knows a
+// cell, and of the cell's faces the one whose interior holds p, as a set of vertices. All is decided by signs of
+// orientations of vertices, a and b.
+//
+//   enter  Among the cells around the face, it crosses every facet through the face that has b strictly beyond it, as a
+//          visibility walk does. It ends at a cell that the segment runs in from p on, or leaves the hull, for good.
+//   leave  The segment leaves the cell through one of the facets that have b strictly beyond them. It reaches the facet
+//          opposite j before that opposite k where the cell with a for vertex j and b for vertex k is positively
+//          oriented: with s the side of a facet's hyperplane, as a determinant, s_j(a) s_k(b) - s_k(a) s_j(b) is the
+//          product of this cell's determinant and of the cell's own. The vertices that are on no facet that is reached
+//          first, and that the segment does not run along, are the next face.
+//
+// From outside, the hull is entered likewise: seen from a, the hull facets that face a are a regular subdivision, and a
+// visibility walk among their ghosts finds the one in the direction of b, or a ridge beyond which b misses the hull.
+// Doors: paradt__along.
+
+typedef struct paradt__ray {
+    paradt__view *view;
+    const double *a, *b;
+    paradt_index face[PARADT_MAX_DIM + 1]; // vertices of the face whose interior the walk is in
+    int count;
+    size_t steps; // left, before it gives up
+} paradt__ray;
+
+// Sign of the orientation of a cell or ghost with a or b, or both, in the places of vertices. at_a, at_b: these places;
+// -1: none
+static int paradt__ray_side(paradt__ray *ray, paradt_index cell, int at_a, int at_b) {
+    paradt__scene *scene = &ray->view->scene;
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    const double *p[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++)
+        p[i] = i == at_a ? ray->a : i == at_b ? ray->b : paradt__scene_record(scene, row[i]);
+    return paradt__orient(&scene->space, p);
+}
+
+// Which vertices of a cell are the face's: a bit for each
+static unsigned paradt__ray_face(const paradt__ray *ray, const paradt_index *row, int corners) {
+    unsigned face = 0;
+    int i, j;
+    for (i = 0; i < corners; i++) {
+        for (j = 0; j < ray->count; j++) face |= (unsigned)(row[i] == ray->face[j]) << i;
+    }
+    return face;
+}
+
+static void paradt__ray_set_face(paradt__ray *ray, const paradt_index *row, int corners, unsigned face) {
+    int i;
+    ray->count = 0;
+    for (i = 0; i < corners; i++) {
+        if (face >> i & 1) ray->face[ray->count++] = row[i];
+    }
+}
+
+// Finds the cell around the face that the segment runs in from here on. Returns PARADT__OPEN where it leaves the hull.
+static paradt_index paradt__ray_enter(paradt__ray *ray, paradt_index cell) {
+    const paradt__mesh *mesh = &ray->view->scene.mesh;
+    const int corners = mesh->corners;
+    int i = 0, from = -1;
+    while (i < corners && ray->steps) {
+        const paradt_index *row = paradt__mesh_row(mesh, cell);
+        unsigned face = paradt__ray_face(ray, row, corners);
+        if (paradt__ghost_place(row, corners) >= 0) return PARADT__OPEN;
+        for (i = 0; i < corners; i++) {
+            if (i != from && !(face >> i & 1) && paradt__ray_side(ray, cell, -1, i) < 0) break;
+        }
+        if (i == corners) return cell;
+        from = (int)(mesh->links[(size_t)cell * (size_t)corners + (size_t)i] % corners);
+        cell = paradt__mesh_cell(mesh, mesh->links[(size_t)cell * (size_t)corners + (size_t)i]);
+        ray->steps--;
+    }
+    return PARADT__OPEN;
+}
+
+// Goes to the border of a cell that the segment runs in. Returns 0 where it ends in the cell.
+static int paradt__ray_leave(paradt__ray *ray, paradt_index cell) {
+    const paradt__mesh *mesh = &ray->view->scene.mesh;
+    const int corners = mesh->corners;
+    const paradt_index *row = paradt__mesh_row(mesh, cell);
+    unsigned face = paradt__ray_face(ray, row, corners), next = 0, reached = 0;
+    int first = -1, i;
+    for (i = 0; i < corners; i++) {
+        int side = paradt__ray_side(ray, cell, -1, i), before;
+        if (side > 0 || (!side && face >> i & 1)) next |= 1u << i; // it does not run along this facet
+        if (side >= 0) continue;
+        before = first < 0 ? 1 : paradt__ray_side(ray, cell, i, first);
+        if (before > 0) { // than all others so far
+            next |= reached;
+            reached = 0;
+            first = i;
+        }
+        if (before >= 0) reached |= 1u << i;
+        else next |= 1u << i;
+    }
+    paradt__ray_set_face(ray, row, corners, next);
+    return first >= 0;
+}
+
+// Enters the hull from outside. ghost: one whose hull facet has a beyond it. Returns the cell behind the facet that the
+// segment goes to, or PARADT__OPEN: it does not reach the hull.
+static paradt_index paradt__ray_approach(paradt__ray *ray, paradt_index ghost) {
+    const paradt__mesh *mesh = &ray->view->scene.mesh;
+    const int corners = mesh->corners;
+    for (; ray->steps; ray->steps--) {
+        const paradt_index *row = paradt__mesh_row(mesh, ghost);
+        int infinite = paradt__ghost_place(row, corners), i, side = 0;
+        size_t base = (size_t)ghost * (size_t)corners;
+        unsigned face = 0;
+        if (paradt__ray_side(ray, ghost, infinite, -1) <= 0) return PARADT__OPEN; // beyond a silhouette
+        for (i = 0; i < corners; i++) {
+            if (i == infinite) continue;
+            side = paradt__ray_side(ray, ghost, infinite, i);
+            if (side < 0) break;
+            face |= (unsigned)(side > 0) << i;
+        }
+        if (i == corners) {
+            if (paradt__ray_side(ray, ghost, -1, infinite) >= 0) return PARADT__OPEN; // b is before the hull, or on it
+            paradt__ray_set_face(ray, row, corners, face);
+            return paradt__mesh_cell(mesh, mesh->links[base + (size_t)infinite]);
+        }
+        ghost = paradt__mesh_cell(mesh, mesh->links[base + (size_t)i]);
+    }
+    return PARADT__OPEN;
+}
+
+// Lists the cells along the segment from a to b. from: any place near a; a and b are admitted and, as the points, in
+// one flat. The points are not all at one place.
+static paradt_status paradt__along(paradt__view *view, paradt_index from, const double *a, const double *b,
+                                   paradt__list *cells, paradt__memory *memory) {
+    const paradt__mesh *mesh = &view->scene.mesh;
+    paradt__ray ray;
+    unsigned inside;
+    paradt_status status = PARADT_OK;
+    paradt_index cell = paradt__walk_any(&view->scene, from, a, mesh->count, &inside);
+    if (cell < 0) return PARADT_OK;
+    ray.view = view;
+    ray.a = a;
+    ray.b = b;
+    ray.count = 0;
+    ray.steps = 2 * mesh->count;
+    if (inside) paradt__ray_set_face(&ray, paradt__mesh_row(mesh, cell), mesh->corners, inside);
+    else cell = paradt__ray_approach(&ray, cell);
+    while (cell >= 0 && !status) {
+        cell = paradt__ray_enter(&ray, cell);
+        if (cell < 0) break;
+        status = paradt__list_append(cells, cell, memory);
+        if (!paradt__ray_leave(&ray, cell)) break;
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>locator
+//
+// What answers queries about the caller's triangulation. It has a scene of its own: the cells at the places of their
+// numbers and the ghosts behind them, and the vertices sorted along the curve, so that what is near in space is near in
+// memory; points that are no vertices are left out. Added are a cell of each vertex, the neighbours of each, and
+// buckets of starting vertices. After it is made nothing in it is written: each query, or task of many, has a view.
+//
+// Many queries are sorted along the curve, too. The next one begins where the one before ended, if both are in one
+// bucket of the starting cells; else at the vertex of its own bucket, which does not matter more for speed than that.
+// Doors: the public functions.
+
+struct paradt_locator {
+    paradt__memory memory;
+    paradt__set set;            // the vertices
+    paradt__scene scene;        // cells are numbers; dim -1: there are none
+    size_t point_count;         // of the caller's points
+    paradt_index *position;     // [point_count] of each point's vertex, or -1
+    paradt_index *cell_of;      // [set.count] a cell of each vertex
+    paradt__relation neighbors; // of each vertex
+    paradt__starts starts;      // vertices
+    double least;               // the least weight
+};
+
+static void paradt__locator_release(paradt_locator *locator) {
+    paradt__memory memory = locator->memory;
+    paradt__set_free(&locator->set, &memory);
+    paradt__mesh_free(&locator->scene.mesh, &memory);
+    paradt__release(&memory, locator->position);
+    paradt__release(&memory, locator->cell_of);
+    paradt__relation_free(&locator->neighbors, &memory);
+    paradt__starts_free(&locator->starts, &memory);
+    paradt__release(&memory, locator);
+}
+
+// --- making one
+
+// What is only there while a locator is made
+typedef struct paradt__locating {
+    paradt_locator *locator;
+    const paradt_triangulation *t;
+    paradt__meter meter;
+    uint32_t reported;
+    paradt__set given;   // the caller's points; then its vertices, as the caller has them in order
+    paradt_index *index; // [vertices] of each of these
+    paradt_index *representative;
+} paradt__locating;
+
+// Keeps those of the given points that are vertices.
+static paradt_status paradt__locating_pack(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    const paradt_triangulation *t = work->t;
+    paradt__set *given = &work->given;
+    size_t corners = (size_t)(t->dim + 1), i, kept = 0;
+    for (i = 0; i < t->point_count; i++) locator->position[i] = -1;
+    for (i = 0; i < t->cell_count * corners; i++) locator->position[t->cells[i]] = 0;
+    for (i = 0; i < t->point_count; i++) kept += locator->position[i] >= 0;
+    work->index = (paradt_index *)paradt__alloc(&locator->memory, kept, sizeof *work->index);
+    work->representative = (paradt_index *)paradt__alloc(&locator->memory, kept, sizeof *work->representative);
+    if (!work->index || !work->representative) return PARADT_ERROR_MEMORY;
+    kept = 0;
+    for (i = 0; i < t->point_count; i++) {
+        if (locator->position[i] < 0) continue;
+        if (kept < i)
+            paradt__copy_record(given->records + kept * given->width, given->records + i * given->width, given->width);
+        work->index[kept++] = (paradt_index)i;
+    }
+    given->count = kept;
+    return PARADT_OK;
+}
+
+// Sorts the vertices along the curve, and finds the position of each point.
+static paradt_status paradt__locating_sort(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    paradt__set *set = &locator->set;
+    const paradt__set *given = &work->given;
+    const paradt_index *stands = work->t->representative;
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->reported, 0.5);
+    paradt__team team = paradt__alone;
+    paradt_points points = paradt__packed_points(given->count, given->space.ambient, PARADT_F64);
+    paradt__source source;
+    paradt_status status;
+    size_t bad, i;
+    points.data = given->records;
+    points.stride = given->width * sizeof(double);
+    points.weights = given->space.weighted ? given->records + given->space.ambient : NULL;
+    source = paradt__source_of(&points);
+    source.weight_stride = points.stride;
+    team.progress = progress;
+    status = paradt__set_gather(set, &source, NULL, &team, &locator->memory, work->representative, &bad);
+    if (status) return status;
+    if (set->count < given->count) return PARADT_ERROR_INVALID; // two vertices are at one place
+    memcpy(set->axes, given->axes, sizeof set->axes);
+    for (i = 0; i < set->count; i++) {
+        set->origin[i] = work->index[set->origin[i]];
+        locator->position[set->origin[i]] = (paradt_index)i;
+    }
+    for (i = 0; i < locator->point_count && stands; i++) {
+        if (locator->position[i] < 0 && stands[i] >= 0 && (size_t)stands[i] < locator->point_count)
+            locator->position[i] = locator->position[stands[i]];
+    }
+    return PARADT_OK;
+}
+
+// Makes the scene: the mesh has the caller's indices so far.
+static paradt_status paradt__locating_scene(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    paradt__scene *scene = &locator->scene;
+    paradt__mesh *mesh = &scene->mesh;
+    const paradt__set *set = &locator->set;
+    size_t corners = (size_t)mesh->corners, i;
+    locator->cell_of = (paradt_index *)paradt__alloc_filled(&locator->memory, set->count, sizeof *locator->cell_of);
+    if (!locator->cell_of) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < mesh->count * corners; i++) {
+        if (mesh->vertices[i] >= 0) mesh->vertices[i] = locator->position[mesh->vertices[i]];
+    }
+    for (i = 0; i < work->t->cell_count * corners; i++)
+        locator->cell_of[mesh->vertices[i]] = (paradt_index)(i / corners);
+    scene->space = set->space;
+    scene->space.dim = work->t->dim;
+    paradt__space_widen(&scene->space);
+    if (work->t->dim > 0) paradt__space_end(&scene->space);
+    scene->records = set->records;
+    scene->width = set->width;
+    for (i = 0; i < set->count && scene->space.weighted; i++) {
+        double weight = set->records[i * set->width + (size_t)scene->space.ambient];
+        if (!i || weight < locator->least) locator->least = weight;
+    }
+    return PARADT_OK;
+}
+
+// Makes what searches start from.
+static paradt_status paradt__locating_help(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    const paradt__set *set = &locator->set;
+    const paradt__mesh *mesh = &locator->scene.mesh;
+    paradt__start_points points = {set->records, set->width, set->count, NULL};
+    paradt__relation cells;
+    paradt_status status =
+        paradt__starts_make(&locator->starts, &points, set->space.ambient, &locator->memory, &work->meter);
+    memset(&cells, 0, sizeof cells);
+    if (!status)
+        status = paradt__relation_of_cells(&cells, mesh->vertices, work->t->cell_count, mesh->corners, set->count,
+                                           &locator->memory);
+    if (!status)
+        status = paradt__relation_of_neighbors(&locator->neighbors, &cells, mesh->vertices, mesh->corners, set->count,
+                                               &locator->memory, &work->meter);
+    paradt__relation_free(&cells, &locator->memory);
+    return status;
+}
+
+// A triangulation of one point has no facets: the mesh has its cell without links.
+static paradt_status paradt__locating_point(paradt__locating *work) {
+    paradt__mesh *mesh = &work->locator->scene.mesh;
+    paradt_status status;
+    paradt__mesh_begin(mesh, 1, 0);
+    if (work->t->cell_count != 1 || (paradt__tag)work->t->cells[0] >= (paradt__tag)work->t->point_count)
+        return PARADT_ERROR_INVALID;
+    status = paradt__mesh_reserve(mesh, 1, 1, &work->locator->memory);
+    if (status) return status;
+    mesh->count = 1;
+    mesh->vertices[0] = work->t->cells[0];
+    mesh->links[0] = PARADT__HULL;
+    return PARADT_OK;
+}
+
+// Makes all of a locator of a triangulation that has cells.
+static paradt_status paradt__locating_make(paradt__locating *work, const paradt_points *points, int facets) {
+    paradt_locator *locator = work->locator;
+    paradt__memory *memory = &locator->memory;
+    size_t bad;
+    paradt_status status;
+    locator->position = (paradt_index *)paradt__alloc(memory, locator->point_count, sizeof *locator->position);
+    if (!locator->position) return PARADT_ERROR_MEMORY;
+    status = work->t->dim ? paradt__given_mesh(&locator->scene.mesh, work->t, facets, memory, &work->meter)
+                          : paradt__locating_point(work);
+    if (!status) status = paradt__given_set(&work->given, work->t, points, memory, &work->meter, &bad);
+    if (!status) status = paradt__locating_pack(work);
+    if (!status) status = paradt__locating_sort(work);
+    paradt__set_free(&work->given, memory);
+    paradt__release(memory, work->index);
+    paradt__release(memory, work->representative);
+    if (!status) status = paradt__locating_scene(work);
+    if (!status) status = paradt__locating_help(work);
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    return status;
+}
+
+// Returns whether the arguments of paradt_locator_create are wrong.
+static paradt_status paradt__locator_fault(const paradt_triangulation *t, const paradt_points *points,
+                                           const paradt_options *options) {
+    const char *text;
+    paradt_status status = paradt__check_arguments(points, options, &text);
+    if (status) return status;
+    if (!t || t->point_count != points->count || t->dim < -1 || t->dim > points->dim) return PARADT_ERROR_ARGUMENT;
+    if (options && options->flags & (PARADT_NO_NEIGHBORS | PARADT_FURTHEST_SITE)) return PARADT_ERROR_ARGUMENT;
+    if (t->cell_count && (t->dim < 0 || !t->cells || (t->dim > 0 && !t->neighbors))) return PARADT_ERROR_ARGUMENT;
+    return t->dim >= 0 && !t->cell_count ? PARADT_ERROR_INVALID : PARADT_OK;
+}
+
+PARADT_DEF paradt_status paradt_locator_create(paradt_locator **out, const paradt_triangulation *t,
+                                               const paradt_points *points, const paradt_options *options) {
+    paradt__locating work;
+    paradt__memory memory;
+    paradt_status status;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    *out = NULL;
+    status = paradt__locator_fault(t, points, options);
+    if (status) return status;
+    memset(&work, 0, sizeof work);
+    work.t = t;
+    paradt__meter_begin(&work.meter, options);
+    paradt__memory_begin(&memory, options);
+    work.locator = (paradt_locator *)paradt__alloc(&memory, 1, sizeof *work.locator);
+    if (!work.locator) return PARADT_ERROR_MEMORY;
+    memset(work.locator, 0, sizeof *work.locator);
+    work.locator->memory = memory;
+    work.locator->point_count = points->count;
+    work.locator->scene.space.dim = -1;
+    work.locator->set.space.ambient = work.locator->scene.space.ambient = points->dim;
+    if (t->cell_count) status = paradt__locating_make(&work, points, options && options->flags & PARADT_FACETS);
+    if (status) paradt__locator_release(work.locator);
+    else *out = work.locator;
+    return status;
+}
+
+PARADT_DEF void paradt_locator_free(paradt_locator *locator) {
+    if (locator) paradt__locator_release(locator);
+}
+
+// --- one query
+
+// Copies a place, its axes permuted as those of the records are, without negative zeros. Returns 0 if it is not finite.
+static int paradt__locator_take(const paradt_locator *locator, const double *x, double *to) {
+    int axis, finite = 1, ambient = locator->set.space.ambient;
+    for (axis = 0; axis < ambient; axis++) {
+        double y = x[locator->set.count ? locator->set.axes[axis] : axis];
+        finite &= paradt__is_finite(y);
+        to[axis] = paradt__from_ordered_bits(paradt__ordered_bits(y));
+    }
+    return finite;
+}
+
+// The vertex at which a search for a place begins. hint: the caller's index of one, or -1
+static paradt_index paradt__locator_start(const paradt_locator *locator, const double *x, paradt_index hint) {
+    size_t bucket;
+    if (hint >= 0 && (size_t)hint < locator->point_count && locator->position[hint] >= 0)
+        return locator->position[hint];
+    return paradt__starts_at(&locator->starts, x, &bucket);
+}
+
+static paradt_location paradt__locator_at(paradt__view *view, paradt_index *cell, const double *x) {
+    paradt_location location;
+    location.face = 0;
+    location.cell = paradt__place_in(view, *cell, x, &location.face);
+    if (location.cell >= 0) *cell = location.cell;
+    else location.cell = -1, location.face = 0;
+    return location;
+}
+
+PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, const double *x, paradt_index hint) {
+    paradt_location none = {-1, 0};
+    paradt__view view;
+    double own[PARADT_MAX_DIM];
+    paradt_index cell;
+    if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return none;
+    paradt__view_begin(&view, &locator->scene);
+    paradt__view_admit(&view, own);
+    cell = locator->cell_of[paradt__locator_start(locator, own, hint)];
+    return paradt__locator_at(&view, &cell, own);
+}
+
+// The nearest vertex to a place that has been taken over; its position
+static paradt_index paradt__locator_nearest(const paradt_locator *locator, paradt__view *view, const double *x,
+                                            paradt_index hint) {
+    paradt__view_begin(view, &locator->scene);
+    paradt__view_admit(view, x);
+    return paradt__descend(&view->scene, &locator->neighbors, x, paradt__locator_start(locator, x, hint));
+}
+
+PARADT_DEF paradt_index paradt_nearest_one(const paradt_locator *locator, const double *x, paradt_index hint) {
+    paradt__view view;
+    double own[PARADT_MAX_DIM];
+    if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return -1;
+    return locator->set.origin[paradt__locator_nearest(locator, &view, own, hint)];
+}
+
+PARADT_DEF paradt_status paradt_nearest_some(const paradt_locator *locator, const double *x, size_t count,
+                                             paradt_index *out, paradt_work *work) {
+    paradt__view view;
+    paradt__scratch *scratch;
+    double own[PARADT_MAX_DIM];
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (!locator || !x || !work || (count && !out)) return PARADT_ERROR_ARGUMENT;
+    for (i = 0; i < count; i++) out[i] = -1;
+    if (!paradt__locator_take(locator, x, own)) return PARADT_ERROR_NOT_FINITE;
+    if (locator->scene.space.dim < 0 || !count) return PARADT_OK;
+    scratch = paradt__scratch_of(work);
+    if (!scratch) return PARADT_ERROR_MEMORY;
+    i = (size_t)paradt__locator_nearest(locator, &view, own, -1);
+    status = paradt__first_some(scratch, &view.scene, &locator->neighbors, own, (paradt_index)i, count);
+    for (i = 0; i < scratch->found.count && !status; i++) out[i] = locator->set.origin[scratch->found.items[i]];
+    paradt__scratch_done(scratch, work);
+    return status;
+}
+
+// Hands out the first of the vertices that were found, in ascending order of their indices.
+static paradt_status paradt__locator_ascending(const paradt_locator *locator, paradt__scratch *scratch,
+                                               paradt_index *out, size_t capacity) {
+    size_t count = scratch->found.count, i;
+    if (count > scratch->sorted_capacity) {
+        void *sorted = scratch->sorted;
+        if (!paradt__grow(&scratch->memory, &sorted, 0, 4 * count, sizeof *scratch->sorted)) return PARADT_ERROR_MEMORY;
+        scratch->sorted = (paradt__keyed *)sorted;
+        scratch->sorted_capacity = 2 * count;
+    }
+    for (i = 0; i < count; i++) {
+        paradt_index index = locator->set.origin[scratch->found.items[i]];
+        scratch->sorted[i].key = (uint64_t)index;
+        scratch->sorted[i].item = index;
+    }
+    paradt__keyed_sort(scratch->sorted, scratch->sorted + scratch->sorted_capacity, count,
+                       paradt__bit_length(locator->point_count), 0);
+    for (i = 0; i < count && i < capacity; i++) out[i] = scratch->sorted[i].item;
+    return PARADT_OK;
+}
+
+PARADT_DEF paradt_status paradt_within(const paradt_locator *locator, const double *x, double radius, paradt_index *out,
+                                       size_t capacity, size_t *count, paradt_work *work) {
+    paradt__view view;
+    paradt__scratch *scratch;
+    double own[PARADT_MAX_DIM];
+    paradt_status status;
+    paradt_index vertex;
+    if (count) *count = 0;
+    if (!locator || !x || !work || !count || (capacity && !out)) return PARADT_ERROR_ARGUMENT;
+    if (!paradt__locator_take(locator, x, own) || radius != radius) return PARADT_ERROR_NOT_FINITE;
+    if (locator->scene.space.dim < 0 || radius < 0) return PARADT_OK;
+    scratch = paradt__scratch_of(work);
+    if (!scratch) return PARADT_ERROR_MEMORY;
+    vertex = paradt__locator_nearest(locator, &view, own, -1);
+    status = paradt__in_ball(scratch, &view.scene, &locator->neighbors, own, vertex, radius, locator->least);
+    if (!status) status = paradt__locator_ascending(locator, scratch, out, capacity);
+    if (!status) *count = scratch->found.count;
+    paradt__scratch_done(scratch, work);
+    return status;
+}
+
+// Lists the cells along a segment in scratch->found.
+static paradt_status paradt__locator_along(const paradt_locator *locator, paradt__scratch *scratch, const double *a,
+                                           const double *b) {
+    const paradt__space *space = &locator->scene.space;
+    paradt_index from = locator->cell_of[paradt__locator_start(locator, a, -1)];
+    paradt__view view;
+    paradt__view_begin(&view, &locator->scene);
+    if (space->dim < space->ambient) {
+        if (paradt__is_off_flat(&view, from, a) || paradt__is_off_flat(&view, from, b)) return PARADT_OK;
+        if (!space->dim) return paradt__list_append(&scratch->found, from, &scratch->memory);
+    }
+    paradt__view_extend(&view, a, b);
+    return paradt__along(&view, from, a, b, &scratch->found, &scratch->memory);
+}
+
+PARADT_DEF paradt_status paradt_along(const paradt_locator *locator, const double *a, const double *b,
+                                      paradt_index *out, size_t capacity, size_t *count, paradt_work *work) {
+    paradt__scratch *scratch;
+    double from[PARADT_MAX_DIM], to[PARADT_MAX_DIM];
+    paradt_status status;
+    size_t i;
+    if (count) *count = 0;
+    if (!locator || !a || !b || !work || !count || (capacity && !out)) return PARADT_ERROR_ARGUMENT;
+    if (!paradt__locator_take(locator, a, from) || !paradt__locator_take(locator, b, to))
+        return PARADT_ERROR_NOT_FINITE;
+    if (locator->scene.space.dim < 0) return PARADT_OK;
+    scratch = paradt__scratch_of(work);
+    if (!scratch) return PARADT_ERROR_MEMORY;
+    status = paradt__locator_along(locator, scratch, from, to);
+    for (i = 0; i < scratch->found.count && i < capacity && !status; i++) out[i] = scratch->found.items[i];
+    if (!status) *count = scratch->found.count;
+    paradt__scratch_done(scratch, work);
+    return status;
+}
+
+// --- many queries
+
+typedef struct paradt__asking {
+    const paradt_locator *locator;
+    const paradt__team *team;
+    paradt__set set;              // the queries, along the curve
+    paradt_index *representative; // [queries] the query that stands for each, where several are at one place
+    paradt_location *locations;   // [queries] what is wanted, or
+    paradt_index *vertices;       // [queries]
+} paradt__asking;
+
+enum { PARADT__ASK_PACE = 1 << 9 }; // queries between two looks at whether the call is cancelled
+
+// Answers the queries of a task, in their order along the curve.
+static void paradt__ask_task(void *context, size_t task) {
+    const paradt__asking *asking = (const paradt__asking *)context;
+    const paradt_locator *locator = asking->locator;
+    const paradt__set *set = &asking->set;
+    size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, bucket, last = SIZE_MAX;
+    paradt_index vertex = -1, cell = -1;
+    paradt__view view;
+    paradt__view_begin(&view, &locator->scene);
+    for (; i < end; i++) {
+        const double *x = set->records + i * set->width;
+        paradt_index start = paradt__starts_at(&locator->starts, x, &bucket);
+        if ((i - first) % PARADT__ASK_PACE == 0 &&
+            paradt__team_cancels(asking->team, task, (double)(i - first) / (double)(end - first)))
+            return;
+        paradt__view_admit(&view, x);
+        if (asking->locations) {
+            if (bucket != last) cell = locator->cell_of[start];
+            asking->locations[set->origin[i]] = paradt__locator_at(&view, &cell, x);
+        } else {
+            if (bucket != last) vertex = start;
+            vertex = paradt__descend(&view.scene, &locator->neighbors, x, vertex);
+            asking->vertices[set->origin[i]] = locator->set.origin[vertex];
+        }
+        last = bucket;
+    }
+}
+
+// Sorts the queries and answers them.
+static paradt_status paradt__ask_sorted(paradt__asking *asking, const paradt_points *queries,
+                                        const paradt_options *options, paradt__memory *memory, size_t *bad) {
+    paradt__meter meter;
+    uint32_t sorted = 0, asked = 0;
+    paradt__source source = paradt__source_of(queries);
+    paradt__team team;
+    paradt_status status;
+    size_t i;
+    paradt__meter_begin(&meter, options);
+    team = paradt__team_of(options, PARADT__MOST_TASKS, paradt__progress_of(&meter, &sorted, 0.3));
+    asking->team = &team;
+    asking->representative = (paradt_index *)paradt__alloc(memory, queries->count, sizeof *asking->representative);
+    if (!asking->representative) return PARADT_ERROR_MEMORY;
+    status = paradt__set_gather(&asking->set, &source, NULL, &team, memory, asking->representative, bad);
+    if (status) return status;
+    memcpy(asking->set.axes, asking->locator->set.axes, sizeof asking->set.axes);
+    paradt__set_permute(&asking->set);
+    team.progress = paradt__progress_of(&meter, &asked, 0.7);
+    paradt__team_run(&team, paradt__ask_task, asking);
+    if (paradt__team_cancelled(&team) || paradt__meter_cancels(&meter)) return PARADT_ERROR_CANCELLED;
+    for (i = 0; i < queries->count; i++) {
+        size_t from = (size_t)asking->representative[i];
+        if (asking->locations) asking->locations[i] = asking->locations[from];
+        else asking->vertices[i] = asking->vertices[from];
+    }
+    return PARADT_OK;
+}
+
+// Gives a query that is not finite, or one in a triangulation without cells, its answer.
+static void paradt__ask_none(const paradt__asking *asking, size_t query) {
+    if (asking->locations) {
+        asking->locations[query].cell = -1;
+        asking->locations[query].face = 0;
+    } else {
+        asking->vertices[query] = -1;
+    }
+}
+
+// Answers queries about a triangulation without cells.
+static paradt_status paradt__ask_empty(const paradt__asking *asking, const paradt_points *queries, size_t *bad) {
+    paradt__source source = paradt__source_of(queries);
+    double record[PARADT_MAX_DIM + 1];
+    size_t i;
+    for (i = 0; i < queries->count; i++) {
+        *bad = i;
+        if (paradt__read_record(&source, i, record) == 2047) return PARADT_ERROR_NOT_FINITE;
+        paradt__ask_none(asking, i);
+    }
+    return PARADT_OK;
+}
+
+static paradt_status paradt__ask(const paradt_locator *locator, const paradt_points *queries,
+                                 paradt_location *locations, paradt_index *vertices, const paradt_options *options) {
+    paradt__asking asking;
+    paradt_options given;
+    paradt_points places;
+    paradt__memory memory;
+    paradt_status status;
+    const char *text;
+    size_t bad = 0;
+    memset(&given, 0, sizeof given);
+    if (options) given = *options;
+    if (!locator || !queries) return PARADT_ERROR_ARGUMENT;
+    places = *queries;
+    places.weights = NULL;
+    status = paradt__check_arguments(&places, &given, &text);
+    if (status) return status;
+    if (places.dim != locator->scene.space.ambient || (places.count && !locations && !vertices))
+        return PARADT_ERROR_ARGUMENT;
+    if (!places.count) return PARADT_OK;
+    memset(&asking, 0, sizeof asking);
+    asking.locator = locator;
+    asking.locations = locations;
+    asking.vertices = vertices;
+    paradt__memory_begin(&memory, &given);
+    status = locator->scene.space.dim < 0 ? paradt__ask_empty(&asking, &places, &bad)
+                                          : paradt__ask_sorted(&asking, &places, &given, &memory, &bad);
+    if (status == PARADT_ERROR_NOT_FINITE) paradt__ask_none(&asking, bad);
+    paradt__release(&memory, asking.representative);
+    paradt__set_free(&asking.set, &memory);
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_locate(const paradt_locator *locator, const paradt_points *queries,
+                                       paradt_location *out, const paradt_options *options) {
+    return paradt__ask(locator, queries, out, NULL, options);
+}
+
+PARADT_DEF paradt_status paradt_nearest(const paradt_locator *locator, const paradt_points *queries, paradt_index *out,
+                                        const paradt_options *options) {
+    return paradt__ask(locator, queries, NULL, out, options);
+}
+#endif // PARADT_NO_LOCATOR
 
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------
