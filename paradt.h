@@ -19328,24 +19328,27 @@ PARADT__INLINE int paradt__repair_place(const paradt_index *row, paradt_index ve
 }
 
 // Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
-// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together.
-PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
+// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together,
+// or a neighbour, whose row may not have been looked at yet, has a vertex that is no point.
+PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, size_t points, int facets, int corners) {
     paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
     paradt_index own = 0;
     int fits = 1;
     for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
     for (i = base; i < base + corners; i++) {
-        paradt_index link = links[i], other = link * corners, apex = own ^ mesh->vertices[i], back;
+        paradt_index link = links[i], apex = own ^ mesh->vertices[i], other, back;
         int place;
         if (link == PARADT__HULL) continue;
         if (facets) {
             if (link < 0 || link >= end * corners || links[link] != i) return 0;
+            if ((paradt__tag)mesh->vertices[link] >= (paradt__tag)points) return 0;
             continue;
         }
         if (link < 0 || link >= end) return 0;
+        other = link * corners;
         for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
         place = paradt__repair_place(mesh->vertices + other, apex, corners);
-        if (place >= corners) return 0;
+        if (place >= corners || (paradt__tag)apex >= (paradt__tag)points) return 0;
         back = link < (paradt_index)cell ? i : (paradt_index)cell;
         fits &= links[other + place] == back;
         links[i] = other + place;
@@ -19422,7 +19425,7 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
             paradt__repair_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
             if (!paradt__vertices_among(mesh.vertices + linked * (size_t)corners, corners, 0,
                                         (paradt_index)r->set.count) ||
-                !paradt__repair_link(&mesh, linked, r->facets, corners))
+                !paradt__repair_link(&mesh, linked, r->set.count, r->facets, corners))
                 return PARADT_ERROR_INVALID;
             paradt__repair_fetch_records(build, linked, corners);
         }
