@@ -1486,10 +1486,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  470   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         270   the entry
+//     given triangulation          197   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             444   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       596   the entry of repairing
+//     repair                       510   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //   check
 //     check                        501   the certificate
@@ -18383,6 +18384,203 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 }
 #endif // PARADT_NO_HULLS
 
+#if !defined(PARADT_NO_FLIPS) || !defined(PARADT_NO_LOCATOR) || !defined(PARADT_NO_VORONOI)
+// ---------------------------------------------------------------------------------------------------------------------
+// >>given triangulation
+//
+// The caller's triangulation and points as a mesh and a set: for what mends a triangulation, and for what answers
+// questions about one. Points are read in the caller's order and cells stay in theirs: a vertex is an index, a place of
+// the mesh the number of a cell, and the ghosts stand behind the cells.
+//
+// The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
+// that links back, where both have a vertex of their own, and that the hull has a neighbour across each of its ridges.
+// No coordinate is asked for that: cells may be turned over.
+// Doors: paradt__given_read, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts, paradt__given_mesh,
+// paradt__given_set.
+
+// Reads the points into the records of a zeroed set, which are in their order, and adds them to its space; there is
+// memory for one record more.
+//   representative  NULL, or of the triangulation: free ids of a living set are read as 0 and measured nowhere
+//   mean            NULL, or [dim] filled with the mean of the points
+//   bad             index of the first point that is not finite
+PARADT__OPTIONAL paradt_status paradt__given_read(paradt__set *set, const paradt_points *points,
+                                                  const paradt_index *representative, double *mean,
+                                                  paradt__memory *memory, paradt__meter *meter, size_t *bad) {
+    paradt__source source = paradt__source_of(points);
+    const double part = 1.0 / (double)points->count;
+    size_t i;
+    int axis;
+    set->width = (size_t)points->dim + (points->weights != NULL);
+    set->count = points->count;
+    set->records = (double *)paradt__alloc_filled(memory, points->count + 1, set->width * sizeof(double));
+    if (!set->records) return PARADT_ERROR_MEMORY;
+    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
+    if (mean) memset(mean, 0, (size_t)points->dim * sizeof *mean);
+    for (i = 0; i < points->count; i++) {
+        double *record = set->records + i * set->width;
+        if (i % PARADT__PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        if (representative && representative[i] < -1) {
+            memset(record, 0, set->width * sizeof *record);
+            continue;
+        }
+        if (paradt__read_record(&source, i, record) == 2047) {
+            *bad = i;
+            return PARADT_ERROR_NOT_FINITE;
+        }
+        paradt__space_add(&set->space, record);
+        for (axis = 0; mean && axis < points->dim; axis++) mean[axis] += record[axis] * part;
+    }
+    return PARADT_OK;
+}
+
+// The place of a vertex in a row, of which it is one; more than any place: it is not
+PARADT__INLINE int paradt__given_place(const paradt_index *row, paradt_index vertex, int corners) {
+    int i = 0;
+#if PARADT__FOUR_AT_ONCE && defined(__GNUC__)
+    if (corners == 4) {
+        __m128i four = _mm_loadu_si128((const __m128i *)(const void *)row);
+        return __builtin_ctz(
+            (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(four, _mm_set1_epi32(vertex)))) | 1u << 8);
+    }
+#endif
+    while (i < corners && row[i] != vertex) i++;
+    return i;
+}
+
+// Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
+// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together,
+// or a neighbour, whose row may not have been looked at yet, has a vertex that is no point.
+PARADT__INLINE int paradt__given_link(const paradt__mesh *mesh, size_t cell, size_t points, int facets, int corners) {
+    paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
+    paradt_index own = 0;
+    int fits = 1;
+    for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
+    for (i = base; i < base + corners; i++) {
+        paradt_index link = links[i], apex = own ^ mesh->vertices[i], other, back;
+        int place;
+        if (link == PARADT__HULL) continue;
+        if (facets) {
+            if (link < 0 || link >= end * corners || links[link] != i) return 0;
+            if ((paradt__tag)mesh->vertices[link] >= (paradt__tag)points) return 0;
+            continue;
+        }
+        if (link < 0 || link >= end) return 0;
+        other = link * corners;
+        for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
+        place = paradt__given_place(mesh->vertices + other, apex, corners);
+        if (place >= corners || (paradt__tag)apex >= (paradt__tag)points) return 0;
+        back = link < (paradt_index)cell ? i : (paradt_index)cell;
+        fits &= links[other + place] == back;
+        links[i] = other + place;
+    }
+    return fits;
+}
+
+// Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
+PARADT__INLINE void paradt__given_fetch_rows(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
+    int i;
+    if (cell >= mesh->count) return;
+    for (i = 0; i < corners; i++) {
+        paradt_index link = mesh->links[cell * (size_t)corners + (size_t)i];
+        size_t row = (size_t)link * (facets ? 1 : (size_t)corners);
+        if (link < 0) continue;
+        PARADT__FETCH(mesh->links, row);
+        PARADT__FETCH(mesh->vertices, row);
+    }
+}
+
+// Makes the ghosts of a mesh of cells that are linked, for which there is room.
+PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, paradt__memory *memory) {
+    const int corners = mesh->corners;
+    const paradt_index end = (paradt_index)mesh->count * corners;
+    paradt_index handle, base;
+    int i;
+    paradt__facets ridges;
+    paradt_status status = paradt__facets_begin(&ridges, 0, 1, memory);
+    for (handle = 0; handle < end && !status; handle++) {
+        paradt_index first = handle - handle % corners;
+        const int place = (int)(handle % corners);
+        if (mesh->links[handle] >= 0) continue;
+        PARADT_ASSERT(mesh->count < mesh->capacity);
+        base = (paradt_index)mesh->count++ * corners;
+        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
+            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
+                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
+        paradt__mesh_tie(mesh, handle, base + (place < 2 ? 1 - place : place));
+        status = paradt__facets_room(&ridges, (size_t)corners, memory);
+        for (i = 0; i < corners && !status; i++) {
+            if (mesh->vertices[base + i] == PARADT__INFINITE) continue;
+            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
+        }
+    }
+    if (!status && ridges.count) status = PARADT_ERROR_INVALID;
+    mesh->paged = mesh->count;
+    paradt__facets_free(&ridges, memory);
+    return status;
+}
+
+// Makes handles of the links of all cells.
+PARADT__INLINE paradt_status paradt__given_link_all(const paradt__mesh *mesh, size_t points, int facets,
+                                                    paradt__meter *meter, int corners) {
+    enum { PACE = 1 << 14, ROWS_AHEAD = 12 };
+    const paradt__mesh copy = *mesh; // which nothing that is written can change
+    size_t cell;
+    for (cell = 0; cell < copy.count; cell++) {
+        if (cell % PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        paradt__given_fetch_rows(&copy, cell + ROWS_AHEAD, facets, corners);
+        if (!paradt__vertices_among(copy.vertices + cell * (size_t)corners, corners, 0, (paradt_index)points) ||
+            !paradt__given_link(&copy, cell, points, facets, corners))
+            return PARADT_ERROR_INVALID;
+    }
+    return PARADT_OK;
+}
+
+// Makes a closed mesh, with arrays of its own and without marks, of a triangulation of dimension 1 at least that has
+// cells and neighbours. facets: these are half-facets. After an error the caller frees the mesh.
+PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const paradt_triangulation *t, int facets,
+                                                  paradt__memory *memory, paradt__meter *meter) {
+    size_t corners = (size_t)(t->dim + 1), count = t->cell_count, hull = 0, i;
+    paradt_status status;
+    PARADT_ASSERT(t->dim >= 1 && t->cells && t->neighbors);
+    paradt__mesh_begin(mesh, t->dim + 1, 0);
+    if (count > paradt__most_cells(mesh->corners)) return PARADT_ERROR_INVALID;
+    for (i = 0; i < count * corners; i++) hull += t->neighbors[i] < 0;
+    status = paradt__mesh_reserve(mesh, count + hull, count + hull, memory);
+    if (status) return status;
+    mesh->count = count;
+    paradt__mesh_make_pages(mesh, count + hull);
+    memcpy(mesh->vertices, t->cells, count * corners * sizeof *t->cells);
+    memcpy(mesh->links, t->neighbors, count * corners * sizeof *t->neighbors);
+    status = corners == 4 ? paradt__given_link_all(mesh, t->point_count, facets, meter, 4)
+                          : paradt__given_link_all(mesh, t->point_count, facets, meter, mesh->corners);
+    return status ? status : paradt__given_ghosts(mesh, memory);
+}
+
+// Makes a zeroed set of the points of a triangulation whose mesh has been made: measured, and with the axes that orient
+// first. *bad: index of the first point that is not finite. After an error the caller frees the set.
+PARADT__OPTIONAL paradt_status paradt__given_set(paradt__set *set, const paradt_triangulation *t,
+                                                 const paradt_points *points, paradt__memory *memory,
+                                                 paradt__meter *meter, size_t *bad) {
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt_status status = paradt__given_read(set, points, t->representative, NULL, memory, meter, bad);
+    paradt__set first;
+    int axis;
+    if (status) return status;
+    for (axis = 0; axis < points->dim; axis++) set->axes[axis] = axis;
+    if (t->dim == points->dim) {
+        paradt__set_measured(set, t->dim);
+        return PARADT_OK;
+    }
+    first = *set; // the first cell's vertices, which span the flat that all points are in
+    first.count = (size_t)t->dim + 1;
+    if (paradt__set_basis(&first, t->cells, 0, basis, set->axes, &set->space.counters, meter) != t->dim + 1)
+        return PARADT_ERROR_INVALID;
+    paradt__set_permute(set);
+    paradt__set_measure(set, &paradt__alone, t->dim);
+    return PARADT_OK;
+}
+#endif
+
 #ifndef PARADT_NO_FLIPS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>mending by flips
@@ -19262,31 +19460,14 @@ typedef struct paradt__repair {
     uint64_t hidden, duplicates;
 } paradt__repair;
 
-// Reads the points, in their order, and measures them.
+// Reads the points, in their order, and measures them; and a point inside.
 static paradt_status paradt__repair_read(paradt__repair *r, const paradt_points *points) {
-    paradt__source source = paradt__source_of(points);
     paradt__set *set = &r->set;
-    const double part = 1.0 / (double)points->count;
-    double *inner;
-    size_t i;
-    int axis;
-    set->width = (size_t)points->dim + (points->weights != NULL);
-    set->count = points->count;
-    set->records = (double *)paradt__alloc_filled(&r->memory, points->count + 1, set->width * sizeof(double));
-    if (!set->records) return PARADT_ERROR_MEMORY;
+    double mean[PARADT_MAX_DIM + 1] = {0}, *inner;
+    paradt_status status = paradt__given_read(set, points, NULL, mean, &r->memory, &r->meter, &r->t->error_point);
+    if (status) return status;
     inner = set->records + points->count * set->width;
-    memset(inner, 0, set->width * sizeof *inner);
-    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
-    for (i = 0; i < points->count; i++) {
-        double *record = set->records + i * set->width;
-        if (i % PARADT__PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
-        if (paradt__read_record(&source, i, record) == 2047) {
-            r->t->error_point = i;
-            return PARADT_ERROR_NOT_FINITE;
-        }
-        paradt__space_add(&set->space, record);
-        for (axis = 0; axis < points->dim; axis++) inner[axis] += record[axis] * part;
-    }
+    paradt__copy_record(inner, mean, set->width);
     paradt__space_add(&set->space, inner);
     paradt__space_end(&set->space);
     r->mend.inner = inner;
@@ -19311,49 +19492,6 @@ static paradt_status paradt__repair_adopt(paradt__repair *r) {
     mesh->links = t->neighbors;
     t->cells = t->neighbors = NULL;
     return PARADT_OK;
-}
-
-// The place of a vertex in a row, of which it is one; more than any place: it is not
-PARADT__INLINE int paradt__repair_place(const paradt_index *row, paradt_index vertex, int corners) {
-    int i = 0;
-#if PARADT__FOUR_AT_ONCE && defined(__GNUC__)
-    if (corners == 4) {
-        __m128i four = _mm_loadu_si128((const __m128i *)(const void *)row);
-        return __builtin_ctz(
-            (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(four, _mm_set1_epi32(vertex)))) | 1u << 8);
-    }
-#endif
-    while (i < corners && row[i] != vertex) i++;
-    return i;
-}
-
-// Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
-// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together,
-// or a neighbour, whose row may not have been looked at yet, has a vertex that is no point.
-PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, size_t points, int facets, int corners) {
-    paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
-    paradt_index own = 0;
-    int fits = 1;
-    for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
-    for (i = base; i < base + corners; i++) {
-        paradt_index link = links[i], apex = own ^ mesh->vertices[i], other, back;
-        int place;
-        if (link == PARADT__HULL) continue;
-        if (facets) {
-            if (link < 0 || link >= end * corners || links[link] != i) return 0;
-            if ((paradt__tag)mesh->vertices[link] >= (paradt__tag)points) return 0;
-            continue;
-        }
-        if (link < 0 || link >= end) return 0;
-        other = link * corners;
-        for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
-        place = paradt__repair_place(mesh->vertices + other, apex, corners);
-        if (place >= corners || (paradt__tag)apex >= (paradt__tag)points) return 0;
-        back = link < (paradt_index)cell ? i : (paradt_index)cell;
-        fits &= links[other + place] == back;
-        links[i] = other + place;
-    }
-    return fits;
 }
 
 // Looks at a cell: lists it if it is turned over or flat, else its facets that are not locally regular, each as the
@@ -19383,19 +19521,6 @@ PARADT__NOINLINE paradt_status paradt__repair_ask(paradt__repair *r, size_t cell
     return PARADT_OK;
 }
 
-// Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
-PARADT__INLINE void paradt__repair_fetch_rows(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
-    int i;
-    if (cell >= mesh->count) return;
-    for (i = 0; i < corners; i++) {
-        paradt_index link = mesh->links[cell * (size_t)corners + (size_t)i];
-        size_t row = (size_t)link * (facets ? 1 : (size_t)corners);
-        if (link < 0) continue;
-        PARADT__FETCH(mesh->links, row);
-        PARADT__FETCH(mesh->vertices, row);
-    }
-}
-
 // Fetches the records of a cell, and of the apexes of neighbours, ahead of their use.
 PARADT__INLINE void paradt__repair_fetch_records(const paradt__insertion *build, size_t cell, int corners) {
     const paradt__mesh *mesh = &build->scene.mesh;
@@ -19422,10 +19547,10 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
         const paradt_index *links = mesh.links + cell * (size_t)corners;
         if (cell % PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
         for (; linked < mesh.count && linked <= cell + LINKED_AHEAD; linked++) {
-            paradt__repair_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
+            paradt__given_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
             if (!paradt__vertices_among(mesh.vertices + linked * (size_t)corners, corners, 0,
                                         (paradt_index)r->set.count) ||
-                !paradt__repair_link(&mesh, linked, r->set.count, r->facets, corners))
+                !paradt__given_link(&mesh, linked, r->set.count, r->facets, corners))
                 return PARADT_ERROR_INVALID;
             paradt__repair_fetch_records(build, linked, corners);
         }
@@ -19443,39 +19568,23 @@ PARADT__HOT paradt_status paradt__repair_survey(paradt__repair *r) {
     return paradt__repair_survey_any(r, corners, 0);
 }
 
-// Makes the ghosts, and lists their facets.
+// Makes the ghosts, and lists their facets. Those that have the inner point beyond them are turned over.
 static paradt_status paradt__repair_ghosts(paradt__repair *r) {
-    paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    paradt__scene *scene = &r->mend.flipper.build.scene;
+    paradt__mesh *mesh = &scene->mesh;
     const int corners = mesh->corners;
-    paradt_index end = (paradt_index)mesh->count * corners, handle, base;
-    int i;
-    paradt__facets ridges;
-    paradt_status status =
-        paradt__insertion_reserve(&r->mend.flipper.build, mesh->count + r->hull, mesh->count + r->hull);
-    if (status) return status;
-    status = paradt__facets_begin(&ridges, 0, 1, &r->memory);
-    for (handle = 0; handle < end && !status; handle++) {
-        paradt_index first = handle - handle % corners;
-        const int place = (int)(handle % corners);
-        if (mesh->links[handle] >= 0) continue;
-        base = (paradt_index)mesh->count++ * corners;
-        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
-            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
-                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
-        paradt__mesh_tie(mesh, handle, base + (place < 2 ? 1 - place : place));
-        if (paradt__side(&r->mend.flipper.build.scene, base / corners, place < 2 ? 1 - place : place, r->mend.inner) >=
-            0)
-            mesh->marks[base / corners] |= PARADT__WRONG;
-        status = paradt__facets_room(&ridges, (size_t)corners, &r->memory);
+    size_t ghost = mesh->count;
+    int infinite, i;
+    paradt_status status = paradt__insertion_reserve(&r->mend.flipper.build, ghost + r->hull, ghost + r->hull);
+    if (!status) status = paradt__given_ghosts(mesh, &r->memory);
+    for (; ghost < mesh->count && !status; ghost++) {
+        const paradt_index base = (paradt_index)ghost * corners;
+        infinite = paradt__ghost_place(mesh->vertices + base, corners);
+        if (paradt__side(scene, (paradt_index)ghost, infinite, r->mend.inner) >= 0) mesh->marks[ghost] |= PARADT__WRONG;
         for (i = 0; i < corners && !status; i++) {
-            if (mesh->vertices[base + i] == PARADT__INFINITE) continue;
-            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
-            status = paradt__list_append(&r->mend.facets, base + i, &r->memory);
+            if (i != infinite) status = paradt__list_append(&r->mend.facets, base + i, &r->memory);
         }
     }
-    if (!status && ridges.count) status = PARADT_ERROR_INVALID;
-    mesh->paged = mesh->count;
-    paradt__facets_free(&ridges, &r->memory);
     return status;
 }
 
@@ -19595,7 +19704,7 @@ static void paradt__repair_settle(paradt__repair *r, uint64_t *used) {
 }
 
 // Finds out how many of the hidden points are at the place of another, which makes them duplicates.
-static paradt_status paradt__repair_places(paradt__repair *r) {
+static paradt_status paradt__given_places(paradt__repair *r) {
     size_t ambient = (size_t)r->set.space.ambient, mask = 1, i, at;
     paradt_index *table;
     uint64_t repeated = 0;
@@ -19722,7 +19831,7 @@ static paradt_status paradt__repair_mend(paradt__repair *r) {
 #endif
     if (!status) paradt__repair_settle(r, used);
     paradt__release(&r->memory, used);
-    return status ? status : paradt__repair_places(r);
+    return status ? status : paradt__given_places(r);
 }
 
 // Hands the mesh back.
