@@ -22350,6 +22350,1276 @@ PARADT_DEF paradt_status paradt_nearest(const paradt_locator *locator, const par
 }
 #endif // PARADT_NO_LOCATOR
 
+#ifndef PARADT_NO_VORONOI
+// ---------------------------------------------------------------------------------------------------------------------
+// >>diagram
+//
+// What a Voronoi or power diagram is computed from, and the planes of its cells in floating point. Everything about the
+// cell of a point p is relative to p: with y = x - p and a = q - p the points x that are as near to p as to q, in the
+// sense of the power, lie on the plane
+//
+//     a . y = (|a|^2 + w_p - w_q) / 2        and on a wall        n . y = o - n . p
+//
+// Coordinates in floating point are the caller's times 2^-shift, so that no product overflows; exact integers
+// (>>planes of a cell) are made of the caller's doubles. The axes are those of the set: the first ones orient.
+//
+// A cell without bounds on an axis is clipped by a far wall there, at the distance M from p, where M stands for a
+// number larger than all others: a vertex is y = A + M B, and what is decided of M decides before what is decided of
+// the rest.
+// Doors: struct paradt__diagram, paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_meet,
+// paradt__diagram_above.
+
+// What is known of a point, bits
+enum {
+    PARADT__CELL_THERE = 1,  // it is a vertex of the triangulation
+    PARADT__CELL_CLIPPED = 2 // its cell may be unbounded or leave the walls
+};
+
+enum { PARADT__DIAGRAM_PACE = 1 << 12 }; // cells between two looks at whether the call is cancelled
+
+// A wall as the caller gave it, along the set's axes: normal . x <= offset
+typedef struct paradt__wall {
+    double normal[PARADT_MAX_DIM], offset;
+    double scaled_normal[PARADT_MAX_DIM], scaled_offset; // the same plane in scaled coordinates
+    int inexact; // scaling lost bits
+    int axis;    // of a bound of the box: its axis; else -1
+    int far;     // the box has no bound there
+} paradt__wall;
+
+typedef struct paradt__diagram {
+    int d, k; // dimension of space; of the triangulation
+    int weighted;
+    paradt__set set;      // the points, in the caller's order
+    paradt__mesh mesh;    // of the triangulation, closed; none where k is less than 1
+    size_t cells;         // places of cells; ghosts follow
+    const double *scaled; // [set.count][set.width] what floating point works with; set.records where shift is 0
+    int shift;
+    double tiny;         // more than what underflow adds to a determinant
+    paradt__wall *walls; // [wall_count] 2 d bounds of the box, then planes
+    size_t wall_count;
+    double *centres;     // [cells][d + 1] a vertex of the diagram, as far as nothing clips it; and its error
+    unsigned char *kind; // [set.count] PARADT__CELL_* bits
+    paradt__memory *memory;
+    paradt__meter *meter;
+} paradt__diagram;
+
+// A plane of a cell: normal . y <= offset for the cell's points
+typedef struct paradt__halfspace {
+    double normal[PARADT_MAX_DIM]; // each errs by a roundoff at most
+    double offset, size;           // the offset errs by PARADT__OFFSET_ROUNDINGS roundoffs of `size` at most
+    paradt_index side;             // a point; -1 - k: wall k
+    int far;                       // a far wall: its offset is M
+} paradt__halfspace;
+
+// A square of a difference has been rounded three times, the sum of d squares d - 1 times, and a difference of weights
+// adds two and a sum; the offset of a wall takes fewer.
+#define PARADT__OFFSET_ROUNDINGS(d) ((d) + 6)
+
+PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, paradt_index point) {
+    return g->scaled + (size_t)point * g->set.width;
+}
+
+// The plane between p and q. Its offset is a sum of at most eight squares of differences and of two weights.
+PARADT__INLINE void paradt__diagram_bisector(const paradt__diagram *g, paradt_index p, paradt_index q,
+                                             paradt__halfspace *h, int d) {
+    const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    double squares = 0;
+    int j;
+    for (j = 0; j < d; j++) {
+        h->normal[j] = to[j] - from[j];
+        squares += h->normal[j] * h->normal[j];
+    }
+    h->offset = h->size = squares;
+    if (g->weighted) {
+        h->offset = squares + (from[d] - to[d]);
+        h->size = squares + (paradt__abs(from[d]) + paradt__abs(to[d]));
+    }
+    h->offset *= 0.5;
+    h->size = h->size * 0.5 + g->tiny;
+    h->side = q;
+    h->far = 0;
+}
+
+// Wall number `wall` as a plane of the cell of p
+static void paradt__diagram_wall(const paradt__diagram *g, paradt_index p, size_t number, paradt__halfspace *h) {
+    const double *from = paradt__diagram_point(g, p);
+    const paradt__wall *wall = g->walls + number;
+    double dot = 0, size = 0;
+    int j;
+    for (j = 0; j < g->d; j++) {
+        h->normal[j] = wall->scaled_normal[j];
+        dot += h->normal[j] * from[j];
+        size += paradt__abs(h->normal[j] * from[j]);
+    }
+    h->offset = wall->scaled_offset - dot;
+    h->size = wall->axis >= 0 ? paradt__abs(h->offset) : paradt__abs(wall->scaled_offset) + size;
+    h->size += g->tiny;
+    if (wall->inexact) h->size = HUGE_VAL;
+    if (wall->far) h->offset = 0, h->size = g->tiny;
+    h->side = -1 - (paradt_index)number;
+    h->far = wall->far;
+}
+
+// The determinants of d + 1 columns, of which one is left out, by all minors. The last column is the offsets.
+static void paradt__diagram_minors(const paradt__halfspace *const *h, int d, int far, double *out, double *sizes) {
+    double minor[2 << PARADT_MAX_DIM], size[2 << PARADT_MAX_DIM];
+    const unsigned all = (2u << d) - 1;
+    unsigned mask, rest;
+    int j;
+    minor[0] = size[0] = 1;
+    for (mask = 1; mask < all; mask++) {
+        double sum = 0, sum_of_sizes = 0;
+        const paradt__halfspace *row;
+        int last = -1;
+        for (rest = mask; rest; rest &= rest - 1) last++;
+        row = h[last];
+        for (rest = mask; rest; rest &= rest - 1) {
+            unsigned bit = rest & (0 - rest);
+            int column = paradt__trailing_zeros(rest);
+            double x = column < d ? row->normal[column] : far ? row->far : row->offset;
+            double y = column < d ? paradt__abs(x) : far ? row->far : row->size;
+            sum = x * minor[mask ^ bit] - sum;
+            sum_of_sizes += y * size[mask ^ bit];
+        }
+        minor[mask] = sum;
+        size[mask] = sum_of_sizes;
+    }
+    for (j = 0; j <= d; j++) { // without column j: the solution has the offsets in its place
+        out[j] = (d - 1 - j) & 1 && j < d ? -minor[all ^ 1u << j] : minor[all ^ 1u << j];
+        sizes[j] = size[all ^ 1u << j];
+    }
+}
+
+// Finds where d planes meet: y[d], and in y[d] a bound of the coordinates' error. far: of y = A + M B finds B instead
+// of A. Returns 0 where floating point has too few digits.
+//
+// A determinant is a sum of monomials, each of d entries. Each entry has been rounded once, an offset
+// PARADT__OFFSET_ROUNDINGS times relative to its size; then there are two roundings for d = 2, five for d = 3, and less
+// than d (d + 5) / 2 by minors. A hundredth more covers the higher orders and the rounding of the sizes.
+PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__halfspace *const *h, int d, int far,
+                                        double *y) {
+    const int steps = d == 2 ? 2 : d == 3 ? 5 : d * (d + 5) / 2;
+    const double det_factor = PARADT__ROUNDOFF * 1.01 * (d + steps);
+    const double factor = PARADT__ROUNDOFF * 1.01 * (d - 1 + PARADT__OFFSET_ROUNDINGS(d) + steps);
+    double n[PARADT_MAX_DIM + 1], size[PARADT_MAX_DIM + 1], det_error, det, largest = 0, error = 0;
+    int j;
+    if (d == 2) {
+        const double *a = h[0]->normal, *b = h[1]->normal;
+        double s = far ? h[0]->far : h[0]->offset, t = far ? h[1]->far : h[1]->offset;
+        double v = far ? s : h[0]->size, w = far ? t : h[1]->size;
+        n[2] = a[0] * b[1] - a[1] * b[0];
+        n[0] = s * b[1] - t * a[1];
+        n[1] = a[0] * t - b[0] * s;
+        size[2] = paradt__abs(a[0] * b[1]) + paradt__abs(a[1] * b[0]);
+        size[0] = v * paradt__abs(b[1]) + w * paradt__abs(a[1]);
+        size[1] = w * paradt__abs(a[0]) + v * paradt__abs(b[0]);
+    } else if (PARADT__IS(d, 3)) {
+        const int x = 0, z = PARADT_MAX_DIM > 2 ? 2 : 0; // the last index is there in three dimensions alone
+        const double *a = h[0]->normal, *b = h[1]->normal, *c = h[z]->normal;
+        double o[3], v[3], m[3][3], s[3][3];
+        int i;
+        for (i = 0; i < 3; i++) {
+            o[i] = far ? h[i]->far : h[i]->offset;
+            v[i] = far ? o[i] : h[i]->size;
+        }
+        m[0][0] = b[1] * c[z] - b[z] * c[1], m[0][1] = b[z] * c[x] - b[x] * c[z], m[0][2] = b[x] * c[1] - b[1] * c[x];
+        m[1][0] = c[1] * a[z] - c[z] * a[1], m[1][1] = c[z] * a[x] - c[x] * a[z], m[1][2] = c[x] * a[1] - c[1] * a[x];
+        m[2][0] = a[1] * b[z] - a[z] * b[1], m[2][1] = a[z] * b[x] - a[x] * b[z], m[2][2] = a[x] * b[1] - a[1] * b[x];
+        s[0][0] = paradt__abs(b[1] * c[z]) + paradt__abs(b[z] * c[1]);
+        s[0][1] = paradt__abs(b[z] * c[x]) + paradt__abs(b[x] * c[z]);
+        s[0][2] = paradt__abs(b[x] * c[1]) + paradt__abs(b[1] * c[x]);
+        s[1][0] = paradt__abs(c[1] * a[z]) + paradt__abs(c[z] * a[1]);
+        s[1][1] = paradt__abs(c[z] * a[x]) + paradt__abs(c[x] * a[z]);
+        s[1][2] = paradt__abs(c[x] * a[1]) + paradt__abs(c[1] * a[x]);
+        s[2][0] = paradt__abs(a[1] * b[z]) + paradt__abs(a[z] * b[1]);
+        s[2][1] = paradt__abs(a[z] * b[x]) + paradt__abs(a[x] * b[z]);
+        s[2][2] = paradt__abs(a[x] * b[1]) + paradt__abs(a[1] * b[x]);
+        for (j = 0; j < 3; j++) {
+            n[j] = o[0] * m[0][j] + o[1] * m[1][j] + o[2] * m[2][j];
+            size[j] = v[0] * s[0][j] + v[1] * s[1][j] + v[2] * s[2][j];
+        }
+        n[d] = a[0] * m[0][0] + a[1] * m[0][1] + a[z] * m[0][2];
+        size[d] = paradt__abs(a[0]) * s[0][0] + paradt__abs(a[1]) * s[0][1] + paradt__abs(a[z]) * s[0][2];
+    } else {
+        paradt__diagram_minors(h, d, far, n, size);
+    }
+    det = paradt__abs(n[d]);
+    det_error = det_factor * size[d] + g->tiny;
+    y[d] = HUGE_VAL;
+    if (!(det > 2 * det_error)) {
+        for (j = 0; j < d; j++) y[j] = 0;
+        return 0;
+    }
+    for (j = 0; j < d; j++) {
+        y[j] = n[j] / n[d];
+        error = paradt__larger(error, factor * size[j]);
+        largest = paradt__larger(largest, paradt__abs(y[j]));
+    }
+    y[d] = (error + g->tiny + largest * det_error) / (det - det_error) * (1 + 16 * PARADT__ROUNDOFF) +
+           2 * PARADT__ROUNDOFF * largest;
+    return y[d] <= 1024 * PARADT__ROUNDOFF * largest;
+}
+
+// On which side of a plane is y, of which the error is known? 1: strictly outside, -1 strictly inside. far: of
+// y = A + M B only B is asked about.
+PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt__halfspace *h, const double *y, int d,
+                                         int far) {
+    double value = far ? 0 : -h->offset, size = far ? 0 : PARADT__OFFSET_ROUNDINGS(d) * h->size, sum = 0, error;
+    int j;
+    for (j = 0; j < d; j++) {
+        value += h->normal[j] * y[j];
+        size += paradt__abs(h->normal[j] * y[j]) * (d + 4);
+        sum += paradt__abs(h->normal[j]);
+    }
+    error = (size * PARADT__ROUNDOFF + sum * y[d]) * (1 + 32 * PARADT__ROUNDOFF) + g->tiny;
+    return value > error ? 1 : value < -error ? -1 : PARADT__UNDECIDED;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Voronoi vertices
+//
+// The vertices of the diagram, as far as nothing clips it: one for each cell of the triangulation, the centre of the
+// sphere through its vertices. They are computed in floating point relative to one vertex, with a bound of the error;
+// cells that are too flat for that get theirs rounded once from integers. Cells with the same sphere have the same
+// vertex, of which each has a number of its own, within its error. Here it shows, too, which cells of the diagram need
+// no clipping: of those all vertices are certainly inside of all walls, and none is at infinity.
+// Doors: paradt__centres_make, paradt__centre_of, paradt__same_centre.
+
+PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
+    return g->centres + (size_t)cell * (size_t)(d + 1);
+}
+
+// Computes the centre of a cell from integers. Returns 0 if the cell is flat.
+PARADT__NOINLINE int paradt__centre_exact(const paradt__diagram *g, const paradt_index *vertices, double *centre) {
+    const double *p[PARADT_MAX_DIM + 1];
+    double w[PARADT_MAX_DIM + 1], radius2, largest = 0;
+    int d = g->d, i, exact = 1;
+    paradt__face face;
+    paradt__sphere_of sphere;
+    for (i = 0; i <= d; i++) {
+        p[i] = paradt__record(&g->set, vertices[i]);
+        w[i] = g->weighted ? p[i][d] : 0;
+    }
+    sphere.centre = centre;
+    paradt__face_begin(&face, d, p, g->weighted ? w : NULL);
+    if (!paradt__face_run(&face, paradt__use_for_circumsphere, &sphere)) return 0;
+    radius2 = sphere.radius2;
+    (void)radius2;
+    for (i = 0; i < d; i++) {
+        if (g->shift) centre[i] = paradt__scale(centre[i], -g->shift, &exact);
+        largest = paradt__larger(largest, paradt__abs(centre[i]));
+    }
+    centre[d] = largest * PARADT__ROUNDOFF + g->tiny;
+    if (!(largest < paradt__power(1000))) centre[d] = HUGE_VAL;
+    return 1;
+}
+
+// Computes the centre of a cell. Returns 0 if the cell is flat.
+PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt_index *vertices, double *centre,
+                                          int d) {
+    paradt__halfspace planes[PARADT_MAX_DIM];
+    const paradt__halfspace *h[PARADT_MAX_DIM];
+    const double *base = paradt__diagram_point(g, vertices[0]);
+    double y[PARADT_MAX_DIM + 1], largest = 0;
+    int i, known;
+    for (i = 0; i < d; i++) {
+        paradt__diagram_bisector(g, vertices[0], vertices[i + 1], planes + i, d);
+        h[i] = planes + i;
+    }
+    known = paradt__diagram_meet(g, h, d, 0, y);
+    for (i = 0; i < d; i++) {
+        centre[i] = base[i] + y[i];
+        largest = paradt__larger(largest, paradt__abs(centre[i]));
+    }
+    centre[d] = y[d] + PARADT__ROUNDOFF * largest;
+    if (known || y[d] <= 8 * PARADT__ROUNDOFF * largest) return 1;
+    return paradt__centre_exact(g, vertices, centre);
+}
+
+// Is a place certainly inside of all walls?
+PARADT__INLINE int paradt__centre_is_inside(const paradt__diagram *g, const double *centre, int d) {
+    size_t i = 0;
+    double bound = 2 * centre[d] + g->tiny;
+    int j, inside = 1;
+    for (; i < 2 * (size_t)d && i < g->wall_count; i++) { // of the box
+        const paradt__wall *wall = g->walls + i;
+        double x = centre[wall->axis];
+        double room = i < (size_t)d ? x + wall->scaled_offset : wall->scaled_offset - x;
+        inside &= wall->far | (room > bound);
+    }
+    for (; i < g->wall_count && inside; i++) {
+        const paradt__wall *wall = g->walls + i;
+        double value = -wall->scaled_offset, size = paradt__abs(wall->scaled_offset), sum = 0;
+        for (j = 0; j < d; j++) {
+            value += wall->scaled_normal[j] * centre[j];
+            size += paradt__abs(wall->scaled_normal[j] * centre[j]);
+            sum += paradt__abs(wall->scaled_normal[j]);
+        }
+        inside = !wall->inexact && value < -(sum * bound + size * PARADT__ROUNDOFF * 16);
+    }
+    return inside;
+}
+
+typedef struct paradt__centring {
+    paradt__diagram *g;
+    const paradt__team *team;
+    paradt_status status[PARADT__MOST_TASKS];
+} paradt__centring;
+
+PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t task, int d) {
+    enum { AHEAD = 16 };
+    const paradt__diagram *g = centring->g;
+    const paradt_index *rows = g->mesh.vertices;
+    size_t cell, end = paradt__loader_range(centring->team, g->cells, task, &cell), first = cell;
+    int i;
+    for (; cell < end; cell++) {
+        const paradt_index *vertices = rows + cell * (size_t)(d + 1);
+        double *centre = g->centres + cell * (size_t)(d + 1);
+        if (cell % PARADT__DIAGRAM_PACE == 0 &&
+            paradt__team_cancels(centring->team, task, (double)(cell - first) / (double)(end - first)))
+            return;
+        for (i = 0; i <= d && cell + AHEAD < end; i++)
+            PARADT__FETCH(g->scaled, (size_t)vertices[AHEAD * (d + 1) + i] * g->set.width);
+        if (!paradt__centre_compute(g, vertices, centre, d)) {
+            centring->status[task] = PARADT_ERROR_INVALID;
+            return;
+        }
+        if (paradt__centre_is_inside(g, centre, d)) continue;
+        for (i = 0; i <= d; i++)
+            PARADT__ATOMIC_SET(&g->kind[vertices[i]], PARADT__CELL_THERE | PARADT__CELL_CLIPPED);
+    }
+}
+
+PARADT__HOT void paradt__centres_task(void *context, size_t task) {
+    paradt__centring *centring = (paradt__centring *)context;
+    if (centring->g->d == 2) paradt__centres_of_task(centring, task, 2);
+    else if (PARADT__IS(centring->g->d, 3)) paradt__centres_of_task(centring, task, 3);
+    else paradt__centres_of_task(centring, task, centring->g->d);
+}
+
+// Makes the centres of all cells of a triangulation that is as wide as space, and finds the cells of the diagram that
+// may have to be clipped.
+static paradt_status paradt__centres_make(paradt__diagram *g, const paradt__team *team) {
+    paradt__centring centring;
+    size_t i, task;
+    centring.g = g;
+    centring.team = team;
+    memset(centring.status, 0, sizeof centring.status);
+    g->centres = (double *)paradt__alloc(g->memory, g->cells, (size_t)(g->d + 1) * sizeof *g->centres);
+    if (!g->centres) return PARADT_ERROR_MEMORY;
+    if (team->tasks == 1) paradt__make_pages(g->centres, 0, g->cells * (size_t)(g->d + 1) * sizeof *g->centres);
+    for (i = g->cells * (size_t)(g->d + 1); i < g->mesh.count * (size_t)(g->d + 1); i++) { // of ghosts
+        if (g->mesh.vertices[i] != PARADT__INFINITE) g->kind[g->mesh.vertices[i]] |= PARADT__CELL_CLIPPED;
+    }
+    paradt__team_run(team, paradt__centres_task, &centring);
+    if (paradt__team_cancelled(team)) return PARADT_ERROR_CANCELLED;
+    for (task = 0; task < team->tasks; task++) {
+        if (centring.status[task]) return centring.status[task];
+    }
+    return PARADT_OK;
+}
+
+// Have two neighbours the same sphere? link: the facet as the first of them sees it
+PARADT__NOINLINE int paradt__centres_agree(const paradt__diagram *g, paradt__space *space, paradt_index link) {
+    const paradt_index corners = g->d + 1, base = link - link % corners;
+    const double *p[PARADT_MAX_DIM + 2];
+    paradt_index i;
+    for (i = 0; i < corners; i++) p[i] = paradt__record(&g->set, g->mesh.vertices[base + i]);
+    p[corners] = paradt__record(&g->set, g->mesh.vertices[g->mesh.links[link]]);
+    return !paradt__insphere(space, p);
+}
+
+// Are two centres certainly different?
+PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int d) {
+    double error = (a[d] + b[d]) * (1 + 4 * PARADT__ROUNDOFF);
+    int j, differ = 0;
+    for (j = 0; j < d; j++) differ |= paradt__abs(a[j] - b[j]) * (1 - 4 * PARADT__ROUNDOFF) > error;
+    return differ;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Voronoi faces
+//
+// Faces that nothing clips, of cells of which at least one is not clipped, in two and three dimensions; and from these
+// the volumes of cells: V(p) is the sum over its faces of h A / d, where h is the signed distance of the face's plane
+// from p, and A the face's measure. In space the face between p and q is the polygon of the vertices of the cells around
+// the edge p q. These rings are walked along the cells, whose order in memory is that of space: an edge belongs to the
+// first cell around it, and a mark at each cell tells which of its edges are done.
+//
+// A face is there if it has d different vertices: these are corners of a convex polygon, so that three are not in a
+// line. Most differ by more than their errors; otherwise the spheres of neighbouring cells are compared exactly.
+//
+// Errors. Let the vertices of a polygon with m corners err by at most e in each coordinate, and let s be the largest
+// coordinate of a difference to the first of them. A difference errs by 2 e + u s, u the roundoff, so a coordinate of
+// the cross product of two of them by 4 s (2 e + u s) + 2 (2 e + u s)^2 + 6 u s^2, and the sum of m - 2 of them by m - 2
+// times that and m u times its size, 2 s^2 for each. What follows multiplies these.
+//
+// The cells of the triangulation are divided into chunks, whose number depends on how many they are alone, and sums of
+// chunks are added in order: so the result does not depend on the number of tasks.
+// Doors: paradt__faces_make, paradt__face_list_*, paradt__tally_*, struct paradt__face_list, struct paradt__tally.
+
+enum { PARADT__CHUNKS = PARADT__MOST_TASKS, PARADT__CHUNK_CELLS = 10000 };
+
+// A list of faces
+typedef struct paradt__face_list {
+    size_t count, capacity;
+    int d;
+    unsigned wants;         // PARADT_VORONOI_* bits
+    paradt_index *sides;    // [capacity][2]
+    double *areas;          // [capacity]
+    double *centroids;      // [capacity][d] NaN where there is none
+    double *normals;        // [capacity][d]
+    paradt_index *cell;     // [capacity] of faces that nothing clips: the first cell around the edge,
+    unsigned char *edge;    // ... and which of its edges
+    paradt__memory *memory;
+} paradt__face_list;
+
+static void paradt__face_list_begin(paradt__face_list *list, int d, unsigned wants, paradt__memory *memory) {
+    memset(list, 0, sizeof *list);
+    list->d = d;
+    list->wants = wants;
+    list->memory = memory;
+}
+
+static void paradt__face_list_free(paradt__face_list *list) {
+    paradt__release(list->memory, list->sides);
+    paradt__release(list->memory, list->areas);
+    paradt__release(list->memory, list->centroids);
+    paradt__release(list->memory, list->normals);
+    paradt__release(list->memory, list->cell);
+    paradt__release(list->memory, list->edge);
+    paradt__face_list_begin(list, list->d, list->wants, list->memory);
+}
+
+static int paradt__face_list_grow_one(paradt__face_list *list, void *array_of, size_t capacity, size_t size) {
+    void *array;
+    memcpy(&array, array_of, sizeof array);
+    if (!paradt__grow(list->memory, &array, list->count, capacity, size)) return 0;
+    memcpy(array_of, &array, sizeof array);
+    return 1;
+}
+
+// Makes room for `more` faces.
+PARADT__NOINLINE paradt_status paradt__face_list_grow(paradt__face_list *list, size_t more) {
+    const unsigned measures = list->wants & PARADT_VORONOI_AREAS, rings = list->wants & PARADT_VORONOI_POLYGONS;
+    size_t capacity = list->count + more, vector = (size_t)list->d * sizeof(double);
+    if (capacity < list->capacity + list->capacity / 2) capacity = list->capacity + list->capacity / 2;
+    if (!paradt__face_list_grow_one(list, &list->sides, capacity, 2 * sizeof *list->sides)) return PARADT_ERROR_MEMORY;
+    if (measures && (!paradt__face_list_grow_one(list, &list->areas, capacity, sizeof(double)) ||
+                     !paradt__face_list_grow_one(list, &list->centroids, capacity, vector) ||
+                     !paradt__face_list_grow_one(list, &list->normals, capacity, vector)))
+        return PARADT_ERROR_MEMORY;
+    if (rings && (!paradt__face_list_grow_one(list, &list->cell, capacity, sizeof *list->cell) ||
+                  !paradt__face_list_grow_one(list, &list->edge, capacity, 1)))
+        return PARADT_ERROR_MEMORY;
+    list->capacity = capacity;
+    return PARADT_OK;
+}
+
+PARADT__INLINE paradt_status paradt__face_list_room(paradt__face_list *list, size_t more) {
+    return PARADT__LIKELY(list->count + more <= list->capacity) ? PARADT_OK : paradt__face_list_grow(list, more);
+}
+
+// What is summed up for each point: its cell's volume, the volume's error, and with `moments` the integral of y
+typedef struct paradt__tally {
+    int width; // 2, or 2 + d with moments
+    double *sums; // [points][width]
+} paradt__tally;
+
+PARADT__INLINE double *paradt__tally_of(const paradt__tally *tally, paradt_index point) {
+    return tally->sums + (size_t)point * (size_t)tally->width;
+}
+
+// Adds the sums of a chunk to the total, and clears them.
+static void paradt__tally_join(const paradt__tally *total, const paradt__tally *part, size_t points) {
+    size_t i, count = points * (size_t)total->width;
+    for (i = 0; i < count && total->sums; i++) {
+        total->sums[i] += part->sums[i];
+        part->sums[i] = 0;
+    }
+}
+
+// --- a ring around an edge
+
+// For each edge of a cell: the places of p and q, and of the two other vertices, so that the order is even
+static const unsigned char paradt__ring_edges[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
+                                                       {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
+
+// The mark of an edge by the places of the two vertices that are not on it
+static const unsigned char paradt__ring_marks[4][4] = {{0, 32, 16, 8}, {32, 0, 4, 2}, {16, 4, 0, 1}, {8, 2, 1, 0}};
+
+typedef struct paradt__ring {
+    double area[3];   // twice the area as a vector along the edge
+    double moment[3]; // the sum over the fan's triangles of what they add to `along`, times the sum of two corners
+    double along;     // the sum of the triangles' areas, in the direction of the normal
+    double size, error;
+    int corners, changes; // changes: how many times neighbours certainly differ
+} paradt__ring;
+
+// Walks around an edge, from a cell to itself, and marks the edge at all cells of the chunk. Returns 0 if one of the
+// cells comes before the first cell of the walk. moments: are they wanted?
+PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *done, size_t begin, size_t end,
+                                     paradt_index cell, int edge, const double *normal, paradt__ring *ring,
+                                     int moments) {
+    const paradt_index *vertices = g->mesh.vertices, *links = g->mesh.links;
+    const unsigned char *places = paradt__ring_edges[edge];
+    const double *first = g->centres + (size_t)cell * 4, *last = first, *next;
+    paradt_index at = cell, kept = vertices[4 * cell + places[3]], handle;
+    int cross = places[2], j;
+    double a[3] = {0}, b[3], area[3] = {0}, moment[3] = {0}, along = 0, size = 0, error = first[3];
+    int corners = 0, changes = 0;
+    do {
+        handle = links[4 * at + cross];
+        at = handle >> 2;
+        cross = paradt__given_place(vertices + 4 * at, kept, 4);
+        kept = vertices[handle];
+        if (at < cell) return 0;
+        if ((size_t)at < end) done[at] |= paradt__ring_marks[cross & 3][handle & 3];
+        next = g->centres + (size_t)at * 4;
+        changes += paradt__centres_differ(last, next, 3);
+        corners++;
+        for (j = 0; j < 3; j++) b[j] = next[j] - first[j];
+        error = paradt__larger(error, next[3]);
+        {
+            double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+            area[0] += x, area[1] += y, area[2] += z;
+            if (moments) {
+                double part = x * normal[0] + y * normal[1] + z * normal[2];
+                along += part;
+                for (j = 0; j < 3; j++) moment[j] += part * (a[j] + b[j]);
+            }
+        }
+        for (j = 0; j < 3; j++) {
+            size = paradt__larger(size, paradt__abs(b[j]));
+            a[j] = b[j];
+        }
+        last = next;
+    } while (at != cell);
+    (void)begin;
+    for (j = 0; j < 3; j++) ring->area[j] = area[j], ring->moment[j] = moment[j];
+    ring->along = along;
+    ring->size = size;
+    ring->error = error;
+    ring->corners = corners;
+    ring->changes = changes;
+    return 1;
+}
+
+// How many different vertices has the polygon around an edge? Up to three are counted.
+PARADT__NOINLINE int paradt__ring_changes(const paradt__diagram *g, paradt__space *space, paradt_index cell, int edge) {
+    const paradt_index *vertices = g->mesh.vertices, *links = g->mesh.links;
+    const unsigned char *places = paradt__ring_edges[edge];
+    paradt_index at = cell, kept = vertices[4 * cell + places[3]], handle;
+    int cross = places[2], changes = 0;
+    do {
+        paradt_index link = 4 * at + cross;
+        handle = links[link];
+        if (paradt__centres_differ(g->centres + (size_t)at * 4, g->centres + (size_t)(handle >> 2) * 4, 3) ||
+            !paradt__centres_agree(g, space, link))
+            changes++;
+        at = handle >> 2;
+        cross = paradt__given_place(vertices + 4 * at, kept, 4);
+        kept = vertices[handle];
+    } while (at != cell && changes < 3);
+    return changes;
+}
+
+// --- faces of a chunk
+
+typedef struct paradt__facing {
+    paradt__diagram *g;
+    const paradt__team *team;
+    unsigned wants;
+    size_t chunks;
+    unsigned char *done;                              // [cells] marks of edges
+    paradt__tally tally[PARADT__CHUNKS];              // of chunks; of one task alone only the first is there
+    paradt__tally total;
+    paradt__face_list *list;                          // [chunks]
+    paradt__memory memory[PARADT__MOST_TASKS];        // of tasks
+    paradt__space space[PARADT__MOST_TASKS];
+    paradt_status status[PARADT__MOST_TASKS];
+} paradt__facing;
+
+// Appends a face between two points, for which there is room. measure: of the face, times |a|
+PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index p, paradt_index q, double measure,
+                                          const double *a, double length, const double *centroid, int d) {
+    size_t at = list->count++;
+    int j;
+    list->sides[2 * at] = p;
+    list->sides[2 * at + 1] = q;
+    if (!(list->wants & PARADT_VORONOI_AREAS)) return;
+    list->areas[at] = measure / length;
+    for (j = 0; j < d; j++) {
+        list->normals[at * (size_t)d + (size_t)j] = a[j] / length;
+        list->centroids[at * (size_t)d + (size_t)j] = centroid[j];
+    }
+}
+
+// Adds a face to the cells of p and q. normal: q - p; measure: of the face, times |normal|, which errs by `error`;
+// where: the face's centroid
+PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const paradt__tally *tally, paradt_index p,
+                                       paradt_index q, const double *normal, double measure, double error,
+                                       const double *where, int d) {
+    const paradt__diagram *g = facing->g;
+    const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    double square = 0, size, part;
+    int side, j;
+    for (j = 0; j < d; j++) square += normal[j] * normal[j];
+    part = 1 / (2 * d * square);
+    for (side = 0; side < 2; side++) { // (h |normal|) (A |normal|) / (d |normal|^2)
+        double *sums = paradt__tally_of(tally, side ? q : p), offset = square, volume;
+        size = square;
+        if (g->weighted) {
+            offset = square + (side ? to[d] - from[d] : from[d] - to[d]);
+            size = square + (paradt__abs(from[d]) + paradt__abs(to[d]));
+        }
+        volume = offset * measure * part;
+        sums[0] += volume;
+        sums[1] += (paradt__abs(offset) * error + 32 * PARADT__ROUNDOFF * size * paradt__abs(measure)) * part * 1.01;
+        if (tally->width == 2) continue;
+        for (j = 0; j < d; j++)
+            sums[2 + j] += volume * ((double)d / (d + 1)) * (where[j] - (side ? to[j] : from[j]));
+    }
+}
+
+// Measures the face around an edge of a cell in space, and adds it to what it belongs to.
+PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, paradt__tally *tally,
+                                                   paradt__face_list *list, paradt__space *space, size_t begin,
+                                                   size_t end, paradt_index cell, int edge, int moments) {
+    const paradt__diagram *g = facing->g;
+    const paradt_index *vertices = g->mesh.vertices + 4 * cell;
+    paradt_index p = vertices[paradt__ring_edges[edge][0]], q = vertices[paradt__ring_edges[edge][1]];
+    const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    const double *first = g->centres + (size_t)cell * 4;
+    double normal[3], where[3] = {0}, measure, step, error;
+    paradt__ring ring;
+    int j, turns;
+    for (j = 0; j < 3; j++) normal[j] = to[j] - from[j];
+    if (!paradt__ring_walk(g, facing->done, begin, end, cell, edge, normal, &ring, moments)) return PARADT_OK;
+    if (ring.changes < 3 && paradt__ring_changes(g, space, cell, edge) < 3) return PARADT_OK;
+    turns = ring.corners - 2;
+    measure = 0.5 * (ring.area[0] * normal[0] + ring.area[1] * normal[1] + ring.area[2] * normal[2]);
+    step = 2 * ring.error + PARADT__ROUNDOFF * ring.size;
+    error = turns * (4 * ring.size * step + 2 * step * step +
+                     (16 + 2 * turns) * PARADT__ROUNDOFF * ring.size * ring.size) + g->tiny;
+    error *= 0.5 * (paradt__abs(normal[0]) + paradt__abs(normal[1]) + paradt__abs(normal[2]));
+    for (j = 0; j < 3 && moments; j++)
+        where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
+    if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 3);
+    if (!list) return PARADT_OK;
+    if (list->wants & PARADT_VORONOI_POLYGONS) {
+        list->cell[list->count] = cell;
+        list->edge[list->count] = (unsigned char)edge;
+    }
+    paradt__face_list_add(list, p, q, measure, normal,
+                          list->wants & PARADT_VORONOI_AREAS
+                              ? sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
+                              : 1, where, 3);
+    return PARADT_OK;
+}
+
+// Fetches what rings around edges of cells that come soon lead to: the neighbours of a cell, and some of theirs.
+PARADT__INLINE void paradt__ring_fetch(const paradt__diagram *g, size_t cell, size_t sooner) {
+    const paradt_index *links = g->mesh.links;
+    int i, j;
+    if (cell >= g->cells) return;
+    for (i = 0; i < 4; i++) {
+        paradt_index link = links[4 * cell + (size_t)i];
+        PARADT__FETCH(g->mesh.vertices, link);
+        PARADT__FETCH(links, link);
+        PARADT__FETCH(g->centres, link & ~(paradt_index)3);
+    }
+    for (i = 0; i < 4; i++) {
+        paradt_index next = links[4 * sooner + (size_t)i] & ~(paradt_index)3;
+        for (j = 0; j < 4; j++) {
+            paradt_index link = links[next + j];
+            PARADT__FETCH(g->mesh.vertices, link);
+            PARADT__FETCH(links, link);
+            PARADT__FETCH(g->centres, link & ~(paradt_index)3);
+        }
+    }
+}
+
+PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, paradt__tally *tally,
+                                                    paradt__face_list *list, size_t task, size_t begin, size_t end,
+                                                    int moments) {
+    enum { ROWS_AHEAD = 16, NEXT_AHEAD = 8 };
+    const paradt__diagram *g = facing->g;
+    size_t cell;
+    int edge;
+    for (cell = begin; cell < end; cell++) {
+        const paradt_index *vertices = g->mesh.vertices + 4 * cell;
+        paradt__ring_fetch(g, cell + ROWS_AHEAD, cell + NEXT_AHEAD);
+        unsigned inner = 0, todo = 63u & ~(unsigned)facing->done[cell];
+        if (cell % PARADT__DIAGRAM_PACE == 0 &&
+            paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
+            return PARADT_ERROR_CANCELLED;
+        if (!todo) continue;
+        for (edge = 0; edge < 4; edge++)
+            inner |= (unsigned)!(g->kind[vertices[edge]] & PARADT__CELL_CLIPPED) << edge;
+        if (list) {
+            paradt_status status = paradt__face_list_room(list, 6);
+            if (status) return status;
+        }
+        for (edge = 0; edge < 6; edge++) {
+            const unsigned char *places = paradt__ring_edges[edge];
+            if (!(todo >> edge & 1) || !((inner >> places[0] | inner >> places[1]) & 1)) continue;
+            paradt__face_in_space(facing, tally, list, &facing->space[task], begin, end, (paradt_index)cell, edge,
+                                  moments);
+        }
+    }
+    return PARADT_OK;
+}
+
+// The same in the plane, where a face is the segment between the centres of two neighbours.
+PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, paradt__tally *tally,
+                                                    paradt__face_list *list, size_t task, size_t begin, size_t end) {
+    const paradt__diagram *g = facing->g;
+    size_t cell;
+    int i, j;
+    for (cell = begin; cell < end; cell++) {
+        const paradt_index *vertices = g->mesh.vertices + 3 * cell;
+        const double *first = g->centres + 3 * cell;
+        if (cell % PARADT__DIAGRAM_PACE == 0 &&
+            paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
+            return PARADT_ERROR_CANCELLED;
+        if (list) {
+            paradt_status status = paradt__face_list_room(list, 3);
+            if (status) return status;
+        }
+        for (i = 0; i < 3; i++) {
+            paradt_index p = vertices[(i + 1) % 3], q = vertices[(i + 2) % 3], link = (paradt_index)(3 * cell) + i;
+            size_t other = (size_t)g->mesh.links[link] / 3;
+            const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+            const double *second = g->centres + 3 * other;
+            double normal[2], along[2], where[2], measure, size, error;
+            if (other < cell || g->kind[p] & g->kind[q] & PARADT__CELL_CLIPPED) continue;
+            if (!paradt__centres_differ(first, second, 2) && paradt__centres_agree(g, &facing->space[task], link))
+                continue;
+            for (j = 0; j < 2; j++) {
+                normal[j] = to[j] - from[j];
+                along[j] = first[j] - second[j];
+                where[j] = second[j] + 0.5 * along[j];
+            }
+            size = paradt__larger(paradt__abs(along[0]), paradt__abs(along[1]));
+            measure = normal[0] * along[1] - normal[1] * along[0];
+            error = (paradt__abs(normal[0]) + paradt__abs(normal[1])) *
+                    ((first[2] + second[2]) + 8 * PARADT__ROUNDOFF * size + g->tiny);
+            if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 2);
+            if (!list) continue;
+            if (list->wants & PARADT_VORONOI_POLYGONS) {
+                list->cell[list->count] = (paradt_index)cell;
+                list->edge[list->count] = (unsigned char)i;
+            }
+            paradt__face_list_add(list, p, q, measure, normal, sqrt(normal[0] * normal[0] + normal[1] * normal[1]),
+                                  where, 2);
+        }
+    }
+    return PARADT_OK;
+}
+
+PARADT__HOT void paradt__faces_task(void *context, size_t task) {
+    paradt__facing *facing = (paradt__facing *)context;
+    const paradt__diagram *g = facing->g;
+    size_t chunk, step = facing->team->tasks;
+    int moments = (facing->wants & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS)) != 0;
+    paradt_status status = PARADT_OK;
+    for (chunk = task; chunk < facing->chunks && !status; chunk += step) {
+        size_t begin = g->cells / facing->chunks * chunk, slot = step == 1 ? 0 : chunk;
+        size_t end = chunk + 1 == facing->chunks ? g->cells : g->cells / facing->chunks * (chunk + 1);
+        paradt__tally *tally = &facing->tally[slot];
+        paradt__face_list *list = facing->list ? &facing->list[slot] : NULL;
+        if (g->d == 2) status = paradt__faces_in_plane(facing, tally, list, task, begin, end);
+        else if (moments) status = paradt__faces_in_space(facing, tally, list, task, begin, end, 1);
+        else status = paradt__faces_in_space(facing, tally, list, task, begin, end, 0);
+        if (step == 1 && facing->chunks > 1) paradt__tally_join(&facing->total, tally, g->set.count);
+    }
+    facing->status[task] = status;
+}
+
+// Moves the faces of a list behind those of another.
+static paradt_status paradt__face_list_join(paradt__face_list *list, const paradt__face_list *more) {
+    size_t d = (size_t)list->d, at = list->count, count = more->count;
+    paradt_status status = paradt__face_list_room(list, count);
+    if (status || !count) return status;
+    memcpy(list->sides + 2 * at, more->sides, 2 * count * sizeof *more->sides);
+    if (list->wants & PARADT_VORONOI_AREAS) {
+        memcpy(list->areas + at, more->areas, count * sizeof(double));
+        memcpy(list->centroids + at * d, more->centroids, count * d * sizeof(double));
+        memcpy(list->normals + at * d, more->normals, count * d * sizeof(double));
+    }
+    if (list->wants & PARADT_VORONOI_POLYGONS) {
+        memcpy(list->cell + at, more->cell, count * sizeof *more->cell);
+        memcpy(list->edge + at, more->edge, count);
+    }
+    list->count += count;
+    return PARADT_OK;
+}
+
+// Ends the tasks: what they have summed up and listed comes together in order.
+static paradt_status paradt__faces_end(paradt__facing *facing, paradt__tally *total, paradt__face_list *list,
+                                       size_t slots) {
+    paradt__diagram *g = facing->g;
+    uint64_t peaks = 0;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    for (i = 0; i < facing->team->tasks && !status; i++) status = facing->status[i];
+    for (i = 0; i < slots && facing->chunks > 1; i++) {
+        if (!status && slots > 1) paradt__tally_join(total, &facing->tally[i], g->set.count);
+        paradt__release(g->memory, facing->tally[i].sums);
+    }
+    for (i = 0; i < facing->team->tasks; i++) paradt__memory_join(g->memory, &facing->memory[i], &peaks);
+    for (i = 0; i < slots && facing->list; i++) {
+        facing->list[i].memory = g->memory;
+        if (!status && !i) {
+            *list = facing->list[0];
+            continue;
+        }
+        if (!status) status = paradt__face_list_join(list, &facing->list[i]);
+        paradt__face_list_free(&facing->list[i]);
+    }
+    return status;
+}
+
+// The number of edges of a triangulation of a ball, by Euler's formula; only a guess where something is wrong with it
+static size_t paradt__edges_expected(const paradt__diagram *g) {
+    size_t hull = g->mesh.count - g->cells;
+    return g->d == 2 ? g->set.count + g->cells : g->set.count + g->cells + hull / 2;
+}
+
+// Measures all faces of which one of the cells is not clipped.
+//   total  what the cells have of them is added; sums NULL: not wanted
+//   list   NULL, or a list that gets them, empty at first
+static paradt_status paradt__faces_make(paradt__diagram *g, const paradt__team *team, unsigned wants,
+                                        paradt__tally *total, paradt__face_list *list) {
+    paradt__facing facing;
+    paradt__face_list lists[PARADT__CHUNKS];
+    size_t i, slots, bytes = g->set.count * (size_t)total->width * sizeof(double);
+    paradt_status status = PARADT_OK;
+    memset(&facing, 0, sizeof facing);
+    facing.g = g;
+    facing.team = team;
+    facing.wants = wants;
+    facing.chunks = g->cells < PARADT__CHUNK_CELLS ? 1 : PARADT__CHUNKS;
+    slots = team->tasks == 1 ? 1 : facing.chunks;
+    facing.list = list ? lists : NULL;
+    facing.total = *total;
+    facing.done = (unsigned char *)paradt__alloc(g->memory, g->cells, 1);
+    if (!facing.done) return PARADT_ERROR_MEMORY;
+    memset(facing.done, 0, g->cells);
+    for (i = 0; i < slots; i++) {
+        facing.tally[i] = *total;
+        if (facing.chunks > 1 && total->sums && !status) {
+            facing.tally[i].sums = (double *)paradt__alloc(g->memory, bytes, 1);
+            if (facing.tally[i].sums) memset(facing.tally[i].sums, 0, bytes);
+            else status = PARADT_ERROR_MEMORY;
+        }
+    }
+    for (i = 0; i < team->tasks; i++) {
+        facing.space[i] = g->set.space;
+        facing.memory[i] = paradt__memory_fork(g->memory, team->tasks);
+    }
+    for (i = 0; i < slots; i++) paradt__face_list_begin(&lists[i], g->d, wants, &facing.memory[i % team->tasks]);
+    if (list && slots == 1 && !status) status = paradt__face_list_grow(&lists[0], paradt__edges_expected(g) + 8);
+    if (!status) paradt__team_run(team, paradt__faces_task, &facing);
+    else facing.status[0] = status;
+    status = paradt__faces_end(&facing, total, list, slots);
+    paradt__release(g->memory, facing.done);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Voronoi
+//
+// The entry: arguments are checked, the triangulation and the walls are read, and the steps of the sections above are
+// done as far as their results are wanted. Doors: the public functions.
+
+typedef struct paradt__voronoi_work {
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    size_t tasks;
+    unsigned wants;
+    paradt__diagram g;
+    double *scaled;      // of the diagram, where it has its own
+    paradt__tally tally; // of the cells
+    paradt__face_list list;
+    uint32_t reported[4];
+} paradt__voronoi_work;
+
+enum { PARADT__VORONOI_CENTRES, PARADT__VORONOI_FACES, PARADT__VORONOI_CLIPS, PARADT__VORONOI_ENDS };
+
+static paradt__team paradt__voronoi_team(paradt__voronoi_work *work, int step) {
+    static const double shares[] = {0.2, 0.4, 0.3, 0.1};
+    return paradt__team_of(&work->options, work->tasks,
+                           paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
+}
+
+// --- arguments
+
+static int paradt__voronoi_is_number(double x) {
+    return paradt__is_finite(x);
+}
+
+// Returns what is wrong with the request, or NULL.
+static const char *paradt__voronoi_fault(const paradt_triangulation *t, const paradt_points *points,
+                                         const paradt_voronoi_request *request) {
+    const unsigned all = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_FACES |
+                         PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    size_t i, d = (size_t)points->dim;
+    if (!t) return "triangulation is NULL";
+    if (t->point_count != points->count) return "points.count is not that of the triangulation";
+    if (t->dim > points->dim) return "points.dim is less than the dimension of the triangulation";
+    if (t->dim > 0 && t->cell_count && (!t->cells || !t->neighbors))
+        return "triangulation.cells or neighbors is NULL; PARADT_NO_NEIGHBORS gives none";
+    if (!request) return NULL;
+    if (request->outputs & ~all) return "request.outputs has a bit that means nothing";
+    if (d > 3 && request->outputs & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS))
+        return "request.outputs has centroids or areas, which are there in two and three dimensions";
+    if (request->plane_count && !request->planes) return "request.planes is NULL, but plane_count is not 0";
+    for (i = 0; i < 2 * d && request->box; i++) {
+        double bound = request->box[i];
+        if (!paradt__is_finite(bound) && !(paradt__bits(bound) << 12 == 0 && (paradt__bits(bound) >> 63) == (i < d)))
+            return "request.box has a bound that is no number";
+    }
+    for (i = 0; i < request->plane_count * (d + 1); i++) {
+        if (!paradt__voronoi_is_number(request->planes[i])) return "request.planes has a number that is not finite";
+    }
+    for (i = 0; i < request->plane_count; i++) {
+        size_t j = 0;
+        while (j < d && !(paradt__bits(request->planes[i * (d + 1) + j]) << 1)) j++;
+        if (j == d) return "request.planes has a normal that is 0";
+    }
+    return NULL;
+}
+
+// --- the walls
+
+// The exponent above that of a number; far below all others for 0
+static int paradt__voronoi_top(double x) {
+    paradt__range range = paradt__no_range;
+    paradt__measure(&range, x);
+    return range.top;
+}
+
+// Makes the walls of the request, along the axes of the set.
+static paradt_status paradt__voronoi_walls(paradt__voronoi_work *work, const paradt_voronoi_request *request) {
+    paradt__diagram *g = &work->g;
+    size_t i, d = (size_t)g->d, planes = request ? request->plane_count : 0;
+    int j;
+    g->wall_count = 2 * d + planes;
+    g->walls = (paradt__wall *)paradt__alloc(&work->memory, g->wall_count, sizeof *g->walls);
+    if (!g->walls) return PARADT_ERROR_MEMORY;
+    memset(g->walls, 0, g->wall_count * sizeof *g->walls);
+    for (i = 0; i < g->wall_count; i++) {
+        paradt__wall *wall = g->walls + i;
+        wall->axis = -1;
+        if (i >= 2 * d) {
+            const double *plane = request->planes + (i - 2 * d) * (d + 1);
+            for (j = 0; j < g->d; j++) wall->normal[j] = plane[g->set.axes[j]] + 0.0;
+            wall->offset = plane[d];
+            continue;
+        }
+        for (j = 0; j < g->d; j++) {
+            if ((size_t)g->set.axes[j] == i % d) wall->axis = j;
+        }
+        wall->normal[wall->axis] = i < d ? -1 : 1;
+        wall->far = !request || !request->box || !paradt__is_finite(request->box[i]);
+        if (!wall->far) wall->offset = i < d ? -request->box[i] : request->box[i];
+    }
+    return PARADT_OK;
+}
+
+// Chooses the scale of floating point, and scales points and walls. Sizes from 2^-20 to 2^40 are left as they are.
+static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
+    paradt__diagram *g = &work->g;
+    size_t i, j, d = (size_t)g->d, width = g->set.width;
+    int top = g->set.space.coordinates.top, growth, exact;
+    if (g->weighted) top = paradt__max(top, (g->set.space.weights.top + 1) / 2);
+    for (i = 0; i < g->wall_count; i++) {
+        const paradt__wall *wall = g->walls + i;
+        int largest = -4000;
+        for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
+        if (!wall->far) top = paradt__max(top, paradt__voronoi_top(wall->offset) - largest + 1);
+    }
+    top = paradt__min(top, 1100);
+    g->shift = top < -4000 || (top >= -20 && top <= 40) ? 0 : top;
+    top = paradt__max(top - g->shift, 0) + 2;
+    growth = (int)d * top + 2 * top + 8;
+    g->tiny = paradt__power(growth - 950);
+    for (i = 0; i < g->wall_count; i++) {
+        paradt__wall *wall = g->walls + i;
+        int largest = -4000;
+        for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
+        exact = paradt__precise();
+        if (wall->axis >= 0) largest = 0;
+        for (j = 0; j < d; j++) wall->scaled_normal[j] = paradt__scale(wall->normal[j], -largest, &exact);
+        wall->scaled_offset = paradt__scale(wall->offset, -largest - g->shift, &exact);
+        wall->inexact = !exact;
+    }
+    g->scaled = g->set.records;
+    if (!g->shift) return PARADT_OK;
+    work->scaled = (double *)paradt__alloc(&work->memory, g->set.count + 1, width * sizeof(double));
+    if (!work->scaled) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < g->set.count * width; i++)
+        work->scaled[i] = paradt__scale(g->set.records[i], i % width < d ? -g->shift : -2 * g->shift, &exact);
+    g->scaled = work->scaled;
+    return PARADT_OK;
+}
+
+// --- reading
+
+// Reads the triangulation and its points.
+static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                          const paradt_points *points, size_t *bad) {
+    paradt__diagram *g = &work->g;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    g->d = points->dim;
+    g->k = t->cell_count ? t->dim : -1;
+    g->weighted = points->weights != NULL;
+    g->memory = &work->memory;
+    g->meter = &work->meter;
+    if (g->k >= 1) {
+        int facets = (work->options.flags & PARADT_FACETS) != 0;
+        status = paradt__given_mesh(&g->mesh, t, facets, &work->memory, &work->meter);
+    }
+    g->cells = g->k >= 1 ? t->cell_count : 0;
+    if (!status) status = paradt__given_set(&g->set, t, points, &work->memory, &work->meter, bad);
+    if (status) return status;
+    g->kind = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    if (!g->kind) return PARADT_ERROR_MEMORY;
+    memset(g->kind, 0, points->count);
+    for (i = 0; i < t->cell_count * (size_t)(t->dim + 1); i++) {
+        if (t->dim < 1 && (t->cells[i] < 0 || (size_t)t->cells[i] >= points->count)) return PARADT_ERROR_INVALID;
+        g->kind[t->cells[i]] = PARADT__CELL_THERE;
+    }
+    return PARADT_OK;
+}
+
+// --- results
+
+static void *paradt__voronoi_array(paradt__voronoi_work *work, size_t count, size_t size, paradt_status *status) {
+    void *array = *status ? NULL : paradt__alloc_filled(&work->memory, count, size);
+    if (!array) *status = PARADT_ERROR_MEMORY;
+    return array;
+}
+
+// Brings a measure of `dim` dimensions back to the caller's scale, and adds what that costs to its error.
+static double paradt__voronoi_unscale(const paradt__diagram *g, double value, int dim, double *error) {
+    int exact = 1;
+    if (g->shift) {
+        value = paradt__scale(value, dim * g->shift, &exact);
+        *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
+    }
+    *error += paradt__power(-1000);
+    if (paradt__bits(paradt__abs(value)) >= UINT64_C(0x7fefffffffffffff)) *error = HUGE_VAL;
+    return value;
+}
+
+// Hands over what was summed up for the cells.
+static paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_voronoi *out) {
+    const paradt__diagram *g = &work->g;
+    size_t i, n = g->set.count;
+    int d = g->d, j;
+    paradt_status status = PARADT_OK;
+    if (work->wants & PARADT_VORONOI_VOLUMES) {
+        out->volumes = (double *)paradt__voronoi_array(work, n, sizeof *out->volumes, &status);
+        out->volume_errors = (double *)paradt__voronoi_array(work, n, sizeof *out->volume_errors, &status);
+    }
+    if (work->wants & PARADT_VORONOI_CENTROIDS)
+        out->centroids = (double *)paradt__voronoi_array(work, n * (size_t)d, sizeof *out->centroids, &status);
+    if (status) return status;
+    for (i = 0; i < n && work->tally.sums; i++) {
+        const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
+        int infinite = out->unbounded[i];
+        double volume = infinite ? HUGE_VAL : sums[0], error = infinite || !(sums[0] > 0) ? 0 : sums[1];
+        if (out->volumes) {
+            if (!infinite && volume > 0) volume = paradt__voronoi_unscale(g, volume, d, &error);
+            out->volumes[i] = volume;
+            out->volume_errors[i] = error;
+            out->volume += volume;
+        }
+        for (j = 0; j < d && out->centroids; j++) {
+            double x = paradt__diagram_point(g, (paradt_index)i)[j] + sums[2 + j] / sums[0];
+            int exact = 1;
+            if (g->shift) x = paradt__scale(x, g->shift, &exact);
+            out->centroids[i * (size_t)d + (size_t)g->set.axes[j]] = infinite || !(volume > 0) ? NAN : x;
+        }
+    }
+    return PARADT_OK;
+}
+
+// For each cell its faces, in the order of their numbers
+static paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, paradt_voronoi *out) {
+    size_t i, n = work->g.set.count, side;
+    paradt_status status = PARADT_OK;
+    out->first_face = (size_t *)paradt__voronoi_array(work, n + 1, sizeof *out->first_face, &status);
+    if (status) return status;
+    memset(out->first_face, 0, (n + 1) * sizeof *out->first_face);
+    for (i = 0; i < 2 * out->face_count; i++)
+        if (out->sides[i] >= 0) out->first_face[(size_t)out->sides[i] + 1]++;
+    for (i = 0; i < n; i++) out->first_face[i + 1] += out->first_face[i];
+    out->faces = (paradt_index *)paradt__voronoi_array(work, out->first_face[n], sizeof *out->faces, &status);
+    if (status) return status;
+    for (i = 0; i < out->face_count; i++) {
+        for (side = 0; side < 2; side++) {
+            paradt_index point = out->sides[2 * i + side];
+            if (point >= 0) out->faces[out->first_face[point]++] = (paradt_index)i;
+        }
+    }
+    for (i = n; i > 0; i--) out->first_face[i] = out->first_face[i - 1];
+    out->first_face[0] = 0;
+    return PARADT_OK;
+}
+
+// Hands over the faces.
+static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_voronoi *out) {
+    paradt__face_list *list = &work->list;
+    const paradt__diagram *g = &work->g;
+    size_t i, d = (size_t)g->d, j;
+    int exact = 1;
+    out->face_count = list->count;
+    out->sides = list->sides;
+    out->areas = list->areas;
+    out->face_centroids = list->centroids;
+    out->normals = list->normals;
+    list->sides = NULL;
+    list->areas = list->centroids = list->normals = NULL;
+    if (out->areas && (g->shift || g->k < g->d)) {
+        for (i = 0; i < out->face_count; i++) {
+            double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
+            out->areas[i] = paradt__scale(out->areas[i], (g->d - 1) * g->shift, &exact);
+            memcpy(centroid, out->face_centroids + i * d, d * sizeof(double));
+            memcpy(normal, out->normals + i * d, d * sizeof(double));
+            for (j = 0; j < d; j++) {
+                out->normals[i * d + (size_t)g->set.axes[j]] = normal[j];
+                out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__scale(centroid[j], g->shift, &exact);
+            }
+        }
+    }
+    return paradt__voronoi_incidence(work, out);
+}
+
+static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                         const paradt_points *points, const paradt_voronoi_request *request,
+                                         paradt_voronoi *out) {
+    paradt__diagram *g = &work->g;
+    paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CENTRES);
+    const unsigned measures = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS;
+    const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    paradt_status status = paradt__voronoi_read(work, t, points, &out->error_point);
+    size_t i;
+    if (!status) status = paradt__voronoi_walls(work, request);
+    if (!status) status = paradt__voronoi_scale(work);
+    if (status) return status;
+    out->unbounded = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    if (!out->unbounded) return PARADT_ERROR_MEMORY;
+    memset(out->unbounded, 0, points->count);
+    work->tally.width = work->wants & PARADT_VORONOI_CENTROIDS ? 2 + g->d : 2;
+    if (work->wants & measures) {
+        size_t bytes = points->count * (size_t)work->tally.width * sizeof(double);
+        work->tally.sums = (double *)paradt__alloc_filled(&work->memory, bytes, 1);
+        if (!work->tally.sums) return PARADT_ERROR_MEMORY;
+        memset(work->tally.sums, 0, bytes);
+    }
+    paradt__face_list_begin(&work->list, g->d, work->wants, &work->memory);
+    if (g->k == g->d && g->d <= 3) {
+        status = paradt__centres_make(g, &team);
+        team = paradt__voronoi_team(work, PARADT__VORONOI_FACES);
+        if (!status)
+            status = paradt__faces_make(g, &team, work->wants, &work->tally, work->wants & faces ? &work->list : NULL);
+    } else {
+        for (i = 0; i < points->count; i++)
+            if (g->kind[i]) g->kind[i] |= PARADT__CELL_CLIPPED;
+    }
+    if (status) return status;
+    for (i = 0; i < points->count; i++) out->unbounded[i] = (g->kind[i] & PARADT__CELL_CLIPPED) != 0;
+    status = paradt__voronoi_cells(work, out);
+    if (!status && work->wants & faces) status = paradt__voronoi_faces(work, out);
+    return status;
+}
+
+PARADT_DEF void paradt_voronoi_free(paradt_voronoi *voronoi) {
+    paradt__memory memory;
+    paradt_options options;
+    if (!voronoi) return;
+    memset(&options, 0, sizeof options);
+    options.allocator = voronoi->allocator;
+    paradt__memory_begin(&memory, &options);
+    paradt__release(&memory, voronoi->volumes);
+    paradt__release(&memory, voronoi->volume_errors);
+    paradt__release(&memory, voronoi->centroids);
+    paradt__release(&memory, voronoi->unbounded);
+    paradt__release(&memory, voronoi->sides);
+    paradt__release(&memory, voronoi->areas);
+    paradt__release(&memory, voronoi->face_centroids);
+    paradt__release(&memory, voronoi->normals);
+    paradt__release(&memory, voronoi->first_face);
+    paradt__release(&memory, voronoi->faces);
+    paradt__release(&memory, voronoi->vertices);
+    paradt__release(&memory, voronoi->first_vertex);
+    paradt__release(&memory, voronoi->polygons);
+    memset(voronoi, 0, sizeof *voronoi);
+    voronoi->dim = -1;
+}
+
+// Ends a call: frees all but the result.
+static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voronoi *out, paradt_status status,
+                                         int dim, double begun) {
+    work->meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    paradt__face_list_free(&work->list);
+    paradt__release(&work->memory, work->tally.sums);
+    paradt__release(&work->memory, work->scaled);
+    paradt__release(&work->memory, work->g.walls);
+    paradt__release(&work->memory, work->g.centres);
+    paradt__release(&work->memory, work->g.kind);
+    paradt__mesh_free(&work->g.mesh, &work->memory);
+    paradt__set_free(&work->g.set, &work->memory);
+    if (status) {
+        size_t bad = out->error_point;
+        paradt_voronoi_free(out);
+        out->error_point = bad;
+        out->error_text = paradt_status_string(status);
+    } else {
+        out->dim = dim;
+    }
+    out->seconds = paradt__now() - begun;
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const paradt_triangulation *triangulation,
+                                                const paradt_points *points, const paradt_voronoi_request *request,
+                                                const paradt_options *options) {
+    enum { WORTHWHILE = 2000 }; // points: with fewer, threads cost more than they gain
+    paradt__voronoi_work work;
+    paradt_status status;
+    double begun = paradt__now();
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    memset(out, 0, sizeof *out);
+    out->dim = -1;
+    status = paradt__check_arguments(points, options, &out->error_text);
+    if (!status) {
+        out->error_text = paradt__voronoi_fault(triangulation, points, request);
+        if (out->error_text) status = PARADT_ERROR_ARGUMENT;
+    }
+    if (status) return status;
+    memset(&work, 0, sizeof work);
+    if (options) work.options = *options;
+    paradt__memory_begin(&work.memory, options);
+    paradt__meter_begin(&work.meter, options);
+    out->allocator = work.memory.allocator;
+    out->cell_count = points->count;
+    work.wants = request && request->outputs ? request->outputs : (unsigned)PARADT_VORONOI_VOLUMES;
+    work.tasks = points->count < WORTHWHILE ? 1
+                 : work.options.regions     ? work.options.regions
+                                            : (size_t)PARADT__MOST_TASKS;
+    if (points->count) status = paradt__voronoi_run(&work, triangulation, points, request, out);
+    return paradt__voronoi_end(&work, out, status, points->dim, begun);
+}
+#endif // PARADT_NO_VORONOI
+
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------
 // >>check
