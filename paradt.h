@@ -1420,7 +1420,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
-//     space                        235   what the predicates know of a set
+//     space                        267   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        621   signs in integers
@@ -1437,7 +1437,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   mesh
 //     mesh                         695   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        116   conflict test, walk, update
+//     scene                        129   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
@@ -1486,11 +1486,20 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  470   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         270   the entry
+//     given triangulation          197   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             444   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       596   the entry of repairing
+//     repair                       510   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
+//     location                      83   the face that holds a place, asked from any thread
+//     starting cells               253   a vertex near any place
+//     distances                    161   which of two vertices is nearer
+//     nearest                      154   the nearest vertex
+//     adjacency                    189   a vertex to its cells and its neighbours, edges
+//     searches among neighbours    171   the k nearest, those in a ball
+//     along                        154   the cells along a segment
+//     locator                      521   the entry of queries
 //     holes of vertices            503   what fills the hole where a vertex goes
 //     state of a living set        648   columns, journal, hidden and coincident points
 //     changes of a living set      582   one point comes, goes or moves; the set anew
@@ -2238,7 +2247,7 @@ static double paradt__now(void) {
 // geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
 // fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__compare, paradt__rounding.
+// paradt__space_end, paradt__space_admits, paradt__space_widen, paradt__compare, paradt__rounding, paradt__quantum.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -2433,6 +2442,38 @@ static void paradt__space_end(paradt__space *s) {
         insphere->quantum = paradt__quantum(k * unit + lift_unit);
         s->orient_certain = paradt__larger(s->orient_certain, orient->certain);
         s->orient_quantum = -paradt__larger(-s->orient_quantum, -orient->quantum);
+    }
+}
+
+// Is x within the range?
+PARADT__INLINE int paradt__range_has(const paradt__range *range, double x) {
+    uint64_t bits = paradt__bits(x);
+    int biased = (int)(bits >> 52 & 2047), top = biased - 1022;
+    int unit = biased - 1075 + paradt__trailing_zeros(bits | (uint64_t)1 << 52);
+    return ((biased > 0) & (unit >= range->unit) & (top > range->bottom) & (top <= range->top)) | !(bits << 1);
+}
+
+// May the predicates be asked about a point, without a weight, that was not measured?
+PARADT__OPTIONAL int paradt__space_admits(const paradt__space *s, const double *x) {
+    int admits = 1;
+    for (int j = 0; j < s->ambient; j++) {
+        int64_t place = paradt__ordered_bits(x[j]);
+        admits &= (place >= s->low[j]) & (place <= s->high[j]) & paradt__range_has(&s->coordinates, x[j]);
+    }
+    return admits;
+}
+
+// Widens the box of what was measured by its own size on every side, so that more points are admitted; before
+// paradt__space_end. The filters' bounds for the set become larger, which matters little.
+PARADT__OPTIONAL void paradt__space_widen(paradt__space *s) {
+    for (int j = 0; j < s->ambient; j++) {
+        double low, high, side;
+        if (s->low[j] > s->high[j] || s->coordinates.top > 1000) continue; // there are no points, or no room
+        low = paradt__from_ordered_bits(s->low[j]);
+        high = paradt__from_ordered_bits(s->high[j]);
+        side = high - low;
+        s->low[j] = paradt__ordered_bits(low - side);
+        s->high[j] = paradt__ordered_bits(high + side);
     }
 }
 
@@ -4133,7 +4174,7 @@ PARADT__INLINE int paradt__read_record(const paradt__source *source, size_t inde
 // What several sections ask about a set or a part of it: along which axis it is longest, how far its points are from
 // their neighbours, and which of its points span it. The first two steer the work and are estimates in floating-point
 // arithmetic; the last is exact.
-// Doors: paradt__longest_axis, paradt__spacing, paradt__margin_for, paradt__extends, paradt__set_basis.
+// Doors: paradt__longest_axis, paradt__spacing, paradt__margin_for, paradt__set_basis, paradt__extends.
 
 // Returns the axis along which a box is longest, the first of several. by_steps: lengths are numbers of steps from one
 // double to the next; else they are differences of coordinates, halved as a difference may overflow.
@@ -6329,8 +6370,8 @@ PARADT__OPTIONAL paradt_status paradt__facets_join(paradt__facets *facets, parad
 // with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
 // the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
 // with an affine function through the facet's lifted vertices alone.
-// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free, paradt__scene_cell,
-// paradt__scene_fetch_around.
+// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__walk_any, paradt__update_free,
+// paradt__scene_cell, paradt__scene_fetch_around.
 
 typedef struct paradt__scene {
     paradt__space space;   // its own, for the counters
@@ -6408,26 +6449,39 @@ static int paradt__conflicts(paradt__scene *scene, paradt_index cell, const doub
 
 // Walks from a cell or ghost to the cell that contains x, or to a ghost whose hull facet has x strictly beyond it. A
 // visibility walk: it crosses any facet that has x on its other side. In a regular triangulation it ends whichever it
-// takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
-static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const double *x) {
+// takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990). *inside: a
+// bit for each vertex of the cell with x strictly on the vertex's side of the facet opposite; of a ghost 0. Returns
+// PARADT__OPEN after `steps` steps: so many take to end only walks in what is no regular triangulation.
+PARADT__INLINE paradt_index paradt__walk_any(paradt__scene *scene, paradt_index cell, const double *x, size_t steps,
+                                             unsigned *inside) {
     const paradt__mesh *mesh = &scene->mesh;
     int corners = mesh->corners, i, from = -1;
-    for (;;) {
+    for (; steps; steps--) {
         size_t base = (size_t)cell * (size_t)corners;
         int ghost = paradt__ghost_place(mesh->vertices + base, corners);
         PARADT_ASSERT(mesh->vertices[base] != PARADT__DEAD);
+        *inside = 0;
         if (ghost >= 0) {
-            if (paradt__side(scene, cell, ghost, x) > 0) return cell;
+            if (from == ghost || paradt__side(scene, cell, ghost, x) > 0) return cell;
             i = ghost;
         } else {
+            if (from >= 0) *inside = 1u << from;
             for (i = 0; i < corners; i++) {
-                if (i != from && paradt__side(scene, cell, i, x) < 0) break;
+                int side = i != from ? paradt__side(scene, cell, i, x) : 0;
+                if (side < 0) break;
+                *inside |= (unsigned)side << i;
             }
             if (i == corners) return cell;
         }
         from = (int)(mesh->links[base + (size_t)i] % corners);
         cell = paradt__mesh_cell(mesh, mesh->links[base + (size_t)i]);
     }
+    return PARADT__OPEN;
+}
+
+static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const double *x) {
+    unsigned inside;
+    return paradt__walk_any(scene, cell, x, SIZE_MAX, &inside);
 }
 
 #ifndef PARADT__NO_SEARCH
@@ -16898,8 +16952,8 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
 // >>triangulate
 //
 // The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
-// Doors: the public functions; paradt__packed_points, paradt__withdraw, paradt__begin_call, paradt__load; for ranks,
-// too, paradt__check_arguments, paradt__triangulate_region, paradt__flat_text.
+// Doors: the public functions; paradt__packed_points, paradt__withdraw, paradt__options_fault, paradt__begin_call,
+// paradt__load; for ranks, too, paradt__check_arguments, paradt__triangulate_region, paradt__flat_text.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
@@ -18419,6 +18473,203 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 }
 #endif // PARADT_NO_HULLS
 
+#if !defined(PARADT_NO_FLIPS) || !defined(PARADT_NO_LOCATOR) || !defined(PARADT_NO_VORONOI)
+// ---------------------------------------------------------------------------------------------------------------------
+// >>given triangulation
+//
+// The caller's triangulation and points as a mesh and a set: for what mends a triangulation, and for what answers
+// questions about one. Points are read in the caller's order and cells stay in theirs: a vertex is an index, a place of
+// the mesh the number of a cell, and the ghosts stand behind the cells.
+//
+// The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
+// that links back, where both have a vertex of their own, and that the hull has a neighbour across each of its ridges.
+// No coordinate is asked for that: cells may be turned over.
+// Doors: paradt__given_read, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts, paradt__given_mesh,
+// paradt__given_set.
+
+// Reads the points into the records of a zeroed set, which are in their order, and adds them to its space; there is
+// memory for one record more.
+//   representative  NULL, or of the triangulation: free ids of a living set are read as 0 and measured nowhere
+//   mean            NULL, or [dim] filled with the mean of the points
+//   bad             index of the first point that is not finite
+PARADT__OPTIONAL paradt_status paradt__given_read(paradt__set *set, const paradt_points *points,
+                                                  const paradt_index *representative, double *mean,
+                                                  paradt__memory *memory, paradt__meter *meter, size_t *bad) {
+    paradt__source source = paradt__source_of(points);
+    const double part = 1.0 / (double)points->count;
+    size_t i;
+    int axis;
+    set->width = (size_t)points->dim + (points->weights != NULL);
+    set->count = points->count;
+    set->records = (double *)paradt__alloc_filled(memory, points->count + 1, set->width * sizeof(double));
+    if (!set->records) return PARADT_ERROR_MEMORY;
+    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
+    if (mean) memset(mean, 0, (size_t)points->dim * sizeof *mean);
+    for (i = 0; i < points->count; i++) {
+        double *record = set->records + i * set->width;
+        if (i % PARADT__PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        if (representative && representative[i] < -1) {
+            memset(record, 0, set->width * sizeof *record);
+            continue;
+        }
+        if (paradt__read_record(&source, i, record) == 2047) {
+            *bad = i;
+            return PARADT_ERROR_NOT_FINITE;
+        }
+        paradt__space_add(&set->space, record);
+        for (axis = 0; mean && axis < points->dim; axis++) mean[axis] += record[axis] * part;
+    }
+    return PARADT_OK;
+}
+
+// The place of a vertex in a row, of which it is one; more than any place: it is not
+PARADT__INLINE int paradt__given_place(const paradt_index *row, paradt_index vertex, int corners) {
+    int i = 0;
+#if PARADT__FOUR_AT_ONCE && defined(__GNUC__)
+    if (corners == 4) {
+        __m128i four = _mm_loadu_si128((const __m128i *)(const void *)row);
+        return __builtin_ctz(
+            (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(four, _mm_set1_epi32(vertex)))) | 1u << 8);
+    }
+#endif
+    while (i < corners && row[i] != vertex) i++;
+    return i;
+}
+
+// Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
+// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together,
+// or a neighbour, whose row may not have been looked at yet, has a vertex that is no point.
+PARADT__INLINE int paradt__given_link(const paradt__mesh *mesh, size_t cell, size_t points, int facets, int corners) {
+    paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
+    paradt_index own = 0;
+    int fits = 1;
+    for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
+    for (i = base; i < base + corners; i++) {
+        paradt_index link = links[i], apex = own ^ mesh->vertices[i], other, back;
+        int place;
+        if (link == PARADT__HULL) continue;
+        if (facets) {
+            if (link < 0 || link >= end * corners || links[link] != i) return 0;
+            if ((paradt__tag)mesh->vertices[link] >= (paradt__tag)points) return 0;
+            continue;
+        }
+        if (link < 0 || link >= end) return 0;
+        other = link * corners;
+        for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
+        place = paradt__given_place(mesh->vertices + other, apex, corners);
+        if (place >= corners || (paradt__tag)apex >= (paradt__tag)points) return 0;
+        back = link < (paradt_index)cell ? i : (paradt_index)cell;
+        fits &= links[other + place] == back;
+        links[i] = other + place;
+    }
+    return fits;
+}
+
+// Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
+PARADT__INLINE void paradt__given_fetch_rows(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
+    int i;
+    if (cell >= mesh->count) return;
+    for (i = 0; i < corners; i++) {
+        paradt_index link = mesh->links[cell * (size_t)corners + (size_t)i];
+        size_t row = (size_t)link * (facets ? 1 : (size_t)corners);
+        if (link < 0) continue;
+        PARADT__FETCH(mesh->links, row);
+        PARADT__FETCH(mesh->vertices, row);
+    }
+}
+
+// Makes the ghosts of a mesh of cells that are linked, for which there is room.
+PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, paradt__memory *memory) {
+    const int corners = mesh->corners;
+    const paradt_index end = (paradt_index)mesh->count * corners;
+    paradt_index handle, base;
+    int i;
+    paradt__facets ridges;
+    paradt_status status = paradt__facets_begin(&ridges, 0, 1, memory);
+    for (handle = 0; handle < end && !status; handle++) {
+        paradt_index first = handle - handle % corners;
+        const int place = (int)(handle % corners);
+        if (mesh->links[handle] >= 0) continue;
+        PARADT_ASSERT(mesh->count < mesh->capacity);
+        base = (paradt_index)mesh->count++ * corners;
+        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
+            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
+                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
+        paradt__mesh_tie(mesh, handle, base + (place < 2 ? 1 - place : place));
+        status = paradt__facets_room(&ridges, (size_t)corners, memory);
+        for (i = 0; i < corners && !status; i++) {
+            if (mesh->vertices[base + i] == PARADT__INFINITE) continue;
+            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
+        }
+    }
+    if (!status && ridges.count) status = PARADT_ERROR_INVALID;
+    mesh->paged = mesh->count;
+    paradt__facets_free(&ridges, memory);
+    return status;
+}
+
+// Makes handles of the links of all cells.
+PARADT__INLINE paradt_status paradt__given_link_all(const paradt__mesh *mesh, size_t points, int facets,
+                                                    paradt__meter *meter, int corners) {
+    enum { PACE = 1 << 14, ROWS_AHEAD = 12 };
+    const paradt__mesh copy = *mesh; // which nothing that is written can change
+    size_t cell;
+    for (cell = 0; cell < copy.count; cell++) {
+        if (cell % PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        paradt__given_fetch_rows(&copy, cell + ROWS_AHEAD, facets, corners);
+        if (!paradt__vertices_among(copy.vertices + cell * (size_t)corners, corners, 0, (paradt_index)points) ||
+            !paradt__given_link(&copy, cell, points, facets, corners))
+            return PARADT_ERROR_INVALID;
+    }
+    return PARADT_OK;
+}
+
+// Makes a closed mesh, with arrays of its own and without marks, of a triangulation of dimension 1 at least that has
+// cells and neighbours. facets: these are half-facets. After an error the caller frees the mesh.
+PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const paradt_triangulation *t, int facets,
+                                                  paradt__memory *memory, paradt__meter *meter) {
+    size_t corners = (size_t)(t->dim + 1), count = t->cell_count, hull = 0, i;
+    paradt_status status;
+    PARADT_ASSERT(t->dim >= 1 && t->cells && t->neighbors);
+    paradt__mesh_begin(mesh, t->dim + 1, 0);
+    if (count > paradt__most_cells(mesh->corners)) return PARADT_ERROR_INVALID;
+    for (i = 0; i < count * corners; i++) hull += t->neighbors[i] < 0;
+    status = paradt__mesh_reserve(mesh, count + hull, count + hull, memory);
+    if (status) return status;
+    mesh->count = count;
+    paradt__mesh_make_pages(mesh, count + hull);
+    memcpy(mesh->vertices, t->cells, count * corners * sizeof *t->cells);
+    memcpy(mesh->links, t->neighbors, count * corners * sizeof *t->neighbors);
+    status = corners == 4 ? paradt__given_link_all(mesh, t->point_count, facets, meter, 4)
+                          : paradt__given_link_all(mesh, t->point_count, facets, meter, mesh->corners);
+    return status ? status : paradt__given_ghosts(mesh, memory);
+}
+
+// Makes a zeroed set of the points of a triangulation whose mesh has been made: measured, and with the axes that orient
+// first. *bad: index of the first point that is not finite. After an error the caller frees the set.
+PARADT__OPTIONAL paradt_status paradt__given_set(paradt__set *set, const paradt_triangulation *t,
+                                                 const paradt_points *points, paradt__memory *memory,
+                                                 paradt__meter *meter, size_t *bad) {
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt_status status = paradt__given_read(set, points, t->representative, NULL, memory, meter, bad);
+    paradt__set first;
+    int axis;
+    if (status) return status;
+    for (axis = 0; axis < points->dim; axis++) set->axes[axis] = axis;
+    if (t->dim == points->dim) {
+        paradt__set_measured(set, t->dim);
+        return PARADT_OK;
+    }
+    first = *set; // the first cell's vertices, which span the flat that all points are in
+    first.count = (size_t)t->dim + 1;
+    if (paradt__set_basis(&first, t->cells, 0, basis, set->axes, &set->space.counters, meter) != t->dim + 1)
+        return PARADT_ERROR_INVALID;
+    paradt__set_permute(set);
+    paradt__set_measure(set, &paradt__alone, t->dim);
+    return PARADT_OK;
+}
+#endif
+
 #ifndef PARADT_NO_FLIPS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>mending by flips
@@ -19298,31 +19549,14 @@ typedef struct paradt__repair {
     uint64_t hidden, duplicates;
 } paradt__repair;
 
-// Reads the points, in their order, and measures them.
+// Reads the points, in their order, and measures them; and a point inside.
 static paradt_status paradt__repair_read(paradt__repair *r, const paradt_points *points) {
-    paradt__source source = paradt__source_of(points);
     paradt__set *set = &r->set;
-    const double part = 1.0 / (double)points->count;
-    double *inner;
-    size_t i;
-    int axis;
-    set->width = (size_t)points->dim + (points->weights != NULL);
-    set->count = points->count;
-    set->records = (double *)paradt__alloc_filled(&r->memory, points->count + 1, set->width * sizeof(double));
-    if (!set->records) return PARADT_ERROR_MEMORY;
+    double mean[PARADT_MAX_DIM + 1] = {0}, *inner;
+    paradt_status status = paradt__given_read(set, points, NULL, mean, &r->memory, &r->meter, &r->t->error_point);
+    if (status) return status;
     inner = set->records + points->count * set->width;
-    memset(inner, 0, set->width * sizeof *inner);
-    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
-    for (i = 0; i < points->count; i++) {
-        double *record = set->records + i * set->width;
-        if (i % PARADT__PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
-        if (paradt__read_record(&source, i, record) == 2047) {
-            r->t->error_point = i;
-            return PARADT_ERROR_NOT_FINITE;
-        }
-        paradt__space_add(&set->space, record);
-        for (axis = 0; axis < points->dim; axis++) inner[axis] += record[axis] * part;
-    }
+    paradt__copy_record(inner, mean, set->width);
     paradt__space_add(&set->space, inner);
     paradt__space_end(&set->space);
     r->mend.inner = inner;
@@ -19347,46 +19581,6 @@ static paradt_status paradt__repair_adopt(paradt__repair *r) {
     mesh->links = t->neighbors;
     t->cells = t->neighbors = NULL;
     return PARADT_OK;
-}
-
-// The place of a vertex in a row, of which it is one; more than any place: it is not
-PARADT__INLINE int paradt__repair_place(const paradt_index *row, paradt_index vertex, int corners) {
-    int i = 0;
-#if PARADT__FOUR_AT_ONCE && defined(__GNUC__)
-    if (corners == 4) {
-        __m128i four = _mm_loadu_si128((const __m128i *)(const void *)row);
-        return __builtin_ctz(
-            (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(four, _mm_set1_epi32(vertex)))) | 1u << 8);
-    }
-#endif
-    while (i < corners && row[i] != vertex) i++;
-    return i;
-}
-
-// Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
-// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together.
-PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
-    paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
-    paradt_index own = 0;
-    int fits = 1;
-    for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
-    for (i = base; i < base + corners; i++) {
-        paradt_index link = links[i], other = link * corners, apex = own ^ mesh->vertices[i], back;
-        int place;
-        if (link == PARADT__HULL) continue;
-        if (facets) {
-            if (link < 0 || link >= end * corners || links[link] != i) return 0;
-            continue;
-        }
-        if (link < 0 || link >= end) return 0;
-        for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
-        place = paradt__repair_place(mesh->vertices + other, apex, corners);
-        if (place >= corners) return 0;
-        back = link < (paradt_index)cell ? i : (paradt_index)cell;
-        fits &= links[other + place] == back;
-        links[i] = other + place;
-    }
-    return fits;
 }
 
 // Looks at a cell: lists it if it is turned over or flat, else its facets that are not locally regular, each as the
@@ -19416,19 +19610,6 @@ PARADT__NOINLINE paradt_status paradt__repair_ask(paradt__repair *r, size_t cell
     return PARADT_OK;
 }
 
-// Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
-PARADT__INLINE void paradt__repair_fetch_rows(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
-    int i;
-    if (cell >= mesh->count) return;
-    for (i = 0; i < corners; i++) {
-        paradt_index link = mesh->links[cell * (size_t)corners + (size_t)i];
-        size_t row = (size_t)link * (facets ? 1 : (size_t)corners);
-        if (link < 0) continue;
-        PARADT__FETCH(mesh->links, row);
-        PARADT__FETCH(mesh->vertices, row);
-    }
-}
-
 // Fetches the records of a cell, and of the apexes of neighbours, ahead of their use.
 PARADT__INLINE void paradt__repair_fetch_records(const paradt__insertion *build, size_t cell, int corners) {
     const paradt__mesh *mesh = &build->scene.mesh;
@@ -19455,10 +19636,10 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
         const paradt_index *links = mesh.links + cell * (size_t)corners;
         if (cell % PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
         for (; linked < mesh.count && linked <= cell + LINKED_AHEAD; linked++) {
-            paradt__repair_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
+            paradt__given_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
             if (!paradt__vertices_among(mesh.vertices + linked * (size_t)corners, corners, 0,
                                         (paradt_index)r->set.count) ||
-                !paradt__repair_link(&mesh, linked, r->facets, corners))
+                !paradt__given_link(&mesh, linked, r->set.count, r->facets, corners))
                 return PARADT_ERROR_INVALID;
             paradt__repair_fetch_records(build, linked, corners);
         }
@@ -19476,39 +19657,23 @@ PARADT__HOT paradt_status paradt__repair_survey(paradt__repair *r) {
     return paradt__repair_survey_any(r, corners, 0);
 }
 
-// Makes the ghosts, and lists their facets.
+// Makes the ghosts, and lists their facets. Those that have the inner point beyond them are turned over.
 static paradt_status paradt__repair_ghosts(paradt__repair *r) {
-    paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    paradt__scene *scene = &r->mend.flipper.build.scene;
+    paradt__mesh *mesh = &scene->mesh;
     const int corners = mesh->corners;
-    paradt_index end = (paradt_index)mesh->count * corners, handle, base;
-    int i;
-    paradt__facets ridges;
-    paradt_status status =
-        paradt__insertion_reserve(&r->mend.flipper.build, mesh->count + r->hull, mesh->count + r->hull);
-    if (status) return status;
-    status = paradt__facets_begin(&ridges, 0, 1, &r->memory);
-    for (handle = 0; handle < end && !status; handle++) {
-        paradt_index first = handle - handle % corners;
-        const int place = (int)(handle % corners);
-        if (mesh->links[handle] >= 0) continue;
-        base = (paradt_index)mesh->count++ * corners;
-        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
-            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
-                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
-        paradt__mesh_tie(mesh, handle, base + (place < 2 ? 1 - place : place));
-        if (paradt__side(&r->mend.flipper.build.scene, base / corners, place < 2 ? 1 - place : place, r->mend.inner) >=
-            0)
-            mesh->marks[base / corners] |= PARADT__WRONG;
-        status = paradt__facets_room(&ridges, (size_t)corners, &r->memory);
+    size_t ghost = mesh->count;
+    int infinite, i;
+    paradt_status status = paradt__insertion_reserve(&r->mend.flipper.build, ghost + r->hull, ghost + r->hull);
+    if (!status) status = paradt__given_ghosts(mesh, &r->memory);
+    for (; ghost < mesh->count && !status; ghost++) {
+        const paradt_index base = (paradt_index)ghost * corners;
+        infinite = paradt__ghost_place(mesh->vertices + base, corners);
+        if (paradt__side(scene, (paradt_index)ghost, infinite, r->mend.inner) >= 0) mesh->marks[ghost] |= PARADT__WRONG;
         for (i = 0; i < corners && !status; i++) {
-            if (mesh->vertices[base + i] == PARADT__INFINITE) continue;
-            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
-            status = paradt__list_append(&r->mend.facets, base + i, &r->memory);
+            if (i != infinite) status = paradt__list_append(&r->mend.facets, base + i, &r->memory);
         }
     }
-    if (!status && ridges.count) status = PARADT_ERROR_INVALID;
-    mesh->paged = mesh->count;
-    paradt__facets_free(&ridges, &r->memory);
     return status;
 }
 
@@ -19628,7 +19793,7 @@ static void paradt__repair_settle(paradt__repair *r, uint64_t *used) {
 }
 
 // Finds out how many of the hidden points are at the place of another, which makes them duplicates.
-static paradt_status paradt__repair_places(paradt__repair *r) {
+static paradt_status paradt__given_places(paradt__repair *r) {
     size_t ambient = (size_t)r->set.space.ambient, mask = 1, i, at;
     paradt_index *table;
     uint64_t repeated = 0;
@@ -19755,7 +19920,7 @@ static paradt_status paradt__repair_mend(paradt__repair *r) {
 #endif
     if (!status) paradt__repair_settle(r, used);
     paradt__release(&r->memory, used);
-    return status ? status : paradt__repair_places(r);
+    return status ? status : paradt__given_places(r);
 }
 
 // Hands the mesh back.
@@ -20534,6 +20699,1692 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
     return volume;
 }
 #endif // PARADT_NO_MEASURES
+
+#if !defined(PARADT_NO_LOCATOR) || !defined(PARADT_NO_DYNAMIC)
+// ---------------------------------------------------------------------------------------------------------------------
+// >>location
+//
+// Where a place is in a scene: the lowest face that holds it. For those who ask without changing anything, at once from
+// any threads: each has a view, its own copy of the scene, which is small as all arrays are shared. The copy counts
+// calls of the predicates, and where a place is beyond what the scene has measured, its space is extended to it.
+//
+// The scene's mesh may be any that is sound: where it is no regular triangulation, walks give up instead of going in
+// circles. Doors: paradt__view_begin, paradt__view_admit, paradt__view_extend,
+// paradt__is_off_flat, paradt__place_in.
+
+typedef struct paradt__view {
+    paradt__scene scene;           // its space is the view's own
+    const paradt__space *measured; // the space of what the view is of
+    int extended;                  // the own space has been extended
+} paradt__view;
+
+PARADT__OPTIONAL void paradt__view_begin(paradt__view *view, const paradt__scene *scene) {
+    view->scene = *scene;
+    view->measured = &scene->space;
+    view->extended = 0;
+}
+
+// Makes the predicates ready for two more points, or for one twice; not for those admitted before any more.
+PARADT__NOINLINE void paradt__view_extend(paradt__view *view, const double *x, const double *y) {
+    paradt__space *space = &view->scene.space;
+    paradt__counters counters = space->counters;
+    double record[PARADT_MAX_DIM + 1];
+    *space = *view->measured;
+    space->counters = counters;
+    view->extended = !(paradt__space_admits(space, x) && paradt__space_admits(space, y));
+    if (!view->extended) return;
+    record[space->ambient] = 0;
+    memcpy(record, x, (size_t)space->ambient * sizeof *x);
+    paradt__space_add(space, record);
+    memcpy(record, y, (size_t)space->ambient * sizeof *y);
+    paradt__space_add(space, record);
+    if (space->dim > 0) paradt__space_end(space);
+}
+
+// Makes the predicates ready for one more point.
+PARADT__INLINE void paradt__view_admit(paradt__view *view, const double *x) {
+    if (!PARADT__LIKELY(!view->extended && paradt__space_admits(&view->scene.space, x)))
+        paradt__view_extend(view, x, x);
+}
+
+// Is x outside of the flat in which the points lie? cell: a finite one
+PARADT__NOINLINE int paradt__is_off_flat(paradt__view *view, paradt_index cell, const double *x) {
+    paradt__space *space = &view->scene.space;
+    const double *points[PARADT_MAX_DIM + 1];
+    const paradt_index *row = paradt__mesh_row(&view->scene.mesh, cell);
+    int axes[PARADT_MAX_DIM], axis;
+    for (axis = 0; axis <= space->dim; axis++) points[axis] = paradt__scene_record(&view->scene, row[axis]);
+    for (axis = 0; axis < space->dim; axis++) axes[axis] = axis;
+    for (; axis < space->ambient; axis++) {
+        axes[space->dim] = axis;
+        if (paradt__extends(&space->counters, space->dim, points, axes, x)) return 1;
+    }
+    return 0;
+}
+
+// Finds the cell that x is in, from any place near it on. x: admitted. *inside: a bit for each vertex of the face whose
+// interior holds x; 0: x is outside, and beyond a hull facet of the cell, or off the flat of the points. Returns
+// PARADT__OPEN where the mesh is no regular triangulation and the walk does not end.
+PARADT__OPTIONAL paradt_index paradt__place_in(paradt__view *view, paradt_index from, const double *x,
+                                               unsigned *inside) {
+    paradt__scene *scene = &view->scene;
+    const paradt__space *space = &scene->space;
+    size_t place;
+    int facet;
+    paradt_index cell;
+    if (space->dim == 0) { // one point is all there is
+        *inside = !paradt__is_off_flat(view, from, x);
+        return from;
+    }
+    cell = paradt__walk_any(scene, from, x, scene->mesh.count, inside);
+    if (cell < 0) return cell;
+    place = (size_t)cell;
+    paradt__mesh_behind_ghost(&scene->mesh, (size_t)scene->mesh.corners, &place, &facet);
+    if (space->dim < space->ambient && *inside && paradt__is_off_flat(view, (paradt_index)place, x)) *inside = 0;
+    return (paradt_index)place;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>starting cells
+//
+// Where to begin a search: a vertex near any place. Space is divided into buckets, each of which names a vertex in it
+// or, if it is empty, near it. A grid of buckets lies over the box of the points, and over each bucket with many points
+// another grid, and so on, so that clusters are divided as finely as they need it. A bucket is an index, of a vertex or
+// of the grid in it: about as many are there as half the points. Buckets are as long as wide, as far as halving allows:
+// the bits of a grid's buckets are dealt out among the axes, in any dimension.
+//
+// A bucket may be told of another vertex at any time. It is a hint and no more: whoever removes a vertex has the bucket
+// name another. After many more points have come the grids are to be made anew. Places outside of the box have the
+// buckets at its border.
+// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_put, paradt__starts_replace, paradt__starts_free.
+
+enum {
+    PARADT__START_POINTS = 2,  // a bucket, on average
+    PARADT__START_CROWD = 24,  // more points in a bucket get a grid of their own,
+    PARADT__START_LEVELS = 10, // ... unless it is one of so many already, one in the other
+    PARADT__START_BITS = 30,   // of a grid, at most
+    PARADT__START_NOBODY = -1, // a bucket without a vertex; below that are those that have a grid
+    PARADT__START_GRID = -2    // less the number of the grid
+};
+
+// The buckets of a grid: 2^bits of each axis
+typedef struct paradt__start_grid {
+    size_t first;                       // its first bucket
+    unsigned char bits[PARADT_MAX_DIM]; // the last axis varies fastest
+    unsigned char all;                  // sum of the bits
+    uint16_t above[PARADT_MAX_DIM];     // bits of the grids around it
+} paradt__start_grid;
+
+typedef struct paradt__starts {
+    int dim;
+    double low[PARADT_MAX_DIM], scale[PARADT_MAX_DIM]; // (x - low) * scale is from 0 to 1
+    double side[PARADT_MAX_DIM];                       // of the box, halved
+    paradt_index *buckets;
+    size_t bucket_count, bucket_capacity;
+    paradt__start_grid *grids;
+    size_t grid_count, grid_capacity;
+} paradt__starts;
+
+PARADT__OPTIONAL void paradt__starts_free(paradt__starts *starts, paradt__memory *memory) {
+    paradt__release(memory, starts->buckets);
+    paradt__release(memory, starts->grids);
+    memset(starts, 0, sizeof *starts);
+}
+
+// The bucket of a place, counted from the first. There is a grid.
+PARADT__INLINE size_t paradt__starts_bucket(const paradt__starts *starts, const double *x, int dim) {
+    const double most = 1 - 0.5 * PARADT__ROUNDOFF;
+    const paradt__start_grid *grid = starts->grids;
+    double part[PARADT_MAX_DIM];
+    int axis;
+    for (axis = 0; axis < dim; axis++) {
+        double place = (x[axis] - starts->low[axis]) * starts->scale[axis];
+        part[axis] = place > 0 ? place < most ? place : most : 0; // 0 for what is not a number, too
+    }
+    for (;;) {
+        size_t at = 0;
+        paradt_index found;
+        for (axis = 0; axis < dim; axis++) {
+            double place = part[axis] * (double)((uint32_t)1 << grid->bits[axis]);
+            uint32_t whole = (uint32_t)place;
+            part[axis] = place - (double)whole;
+            at = at << grid->bits[axis] | whole;
+        }
+        found = starts->buckets[grid->first + at];
+        if (found > PARADT__START_GRID) return grid->first + at;
+        grid = starts->grids + (PARADT__START_GRID - found);
+    }
+}
+
+PARADT__INLINE size_t paradt__starts_bucket_of(const paradt__starts *starts, const double *x) {
+    if (PARADT__IS(starts->dim, 3)) return paradt__starts_bucket(starts, x, 3);
+    if (starts->dim == 2) return paradt__starts_bucket(starts, x, 2);
+    return paradt__starts_bucket(starts, x, starts->dim);
+}
+
+// A vertex near a place, or -1: no points were given. *bucket: tells places apart that are not near each other
+PARADT__INLINE paradt_index paradt__starts_at(const paradt__starts *starts, const double *x, size_t *bucket) {
+    *bucket = 0;
+    if (!starts->grid_count) return -1;
+    *bucket = paradt__starts_bucket_of(starts, x);
+    return starts->buckets[*bucket];
+}
+
+// Names a vertex at x from now on.
+PARADT__OPTIONAL void paradt__starts_put(paradt__starts *starts, const double *x, paradt_index vertex) {
+    if (starts->grid_count) starts->buckets[paradt__starts_bucket_of(starts, x)] = vertex;
+}
+
+// Names another instead of a vertex at x that goes, if it is named there.
+PARADT__OPTIONAL void paradt__starts_replace(paradt__starts *starts, const double *x, paradt_index vertex,
+                                             paradt_index other) {
+    size_t bucket;
+    if (paradt__starts_at(starts, x, &bucket) == vertex && starts->grid_count) starts->buckets[bucket] = other;
+}
+
+// Adds a grid for so many points, without vertices. outer: the number of the grid that it is in; -1: none
+static paradt_status paradt__starts_add(paradt__starts *starts, size_t points, ptrdiff_t outer,
+                                        paradt__memory *memory) {
+    paradt__start_grid grid;
+    double side[PARADT_MAX_DIM];
+    paradt_status status;
+    int bits = paradt__bit_length(points / PARADT__START_POINTS), axis, longest;
+    memset(&grid, 0, sizeof grid);
+    for (axis = 0; axis < starts->dim; axis++) {
+        if (outer >= 0)
+            grid.above[axis] = (uint16_t)(starts->grids[outer].above[axis] + starts->grids[outer].bits[axis]);
+        side[axis] = starts->side[axis] * paradt__power(-grid.above[axis]);
+    }
+    for (; bits > 0 && grid.all < PARADT__START_BITS; bits--) {
+        for (axis = 1, longest = 0; axis < starts->dim; axis++) longest = side[axis] > side[longest] ? axis : longest;
+        if (!(side[longest] > 0)) break;
+        side[longest] *= 0.5;
+        grid.bits[longest]++;
+        grid.all++;
+    }
+    grid.first = starts->bucket_count;
+    status = paradt__list_room(&starts->buckets, starts->bucket_count, &starts->bucket_capacity,
+                               starts->bucket_count + ((size_t)1 << grid.all), memory);
+    if (status) return status;
+    if (starts->grid_count == starts->grid_capacity) {
+        size_t capacity = 2 * starts->grid_capacity + 4;
+        void *grids = starts->grids;
+        if (!paradt__grow(memory, &grids, starts->grid_count, capacity, sizeof grid)) return PARADT_ERROR_MEMORY;
+        starts->grids = (paradt__start_grid *)grids;
+        starts->grid_capacity = capacity;
+    }
+    starts->grids[starts->grid_count++] = grid;
+    starts->bucket_count += (size_t)1 << grid.all;
+    for (; grid.first < starts->bucket_count; grid.first++) starts->buckets[grid.first] = PARADT__START_NOBODY;
+    return PARADT_OK;
+}
+
+// The points that buckets are to name
+typedef struct paradt__start_points {
+    const double *records;
+    size_t width, count;
+    const paradt_index *order; // [count] their positions; NULL: 0, 1, ...
+} paradt__start_points;
+
+PARADT__INLINE paradt_index paradt__start_point(const paradt__start_points *points, size_t i) {
+    return points->order ? points->order[i] : (paradt_index)i;
+}
+
+// Gives each crowded bucket of the grids from `grid` on a grid of its own.
+// crowds: how many points each bucket has, from the first of these grids on
+static paradt_status paradt__starts_divide(paradt__starts *starts, size_t grid, const paradt_index *crowds,
+                                           paradt__memory *memory) {
+    size_t end = starts->grid_count, from = starts->grids[grid].first, bucket, last;
+    for (; grid < end; grid++) {
+        bucket = starts->grids[grid].first;
+        last = bucket + ((size_t)1 << starts->grids[grid].all);
+        if (!starts->grids[grid].all) continue; // it divides nothing
+        for (; bucket < last; bucket++) {
+            paradt_status status;
+            if (crowds[bucket - from] <= PARADT__START_CROWD) continue;
+            status = paradt__starts_add(starts, (size_t)crowds[bucket - from], (ptrdiff_t)grid, memory);
+            if (status) return status;
+            starts->buckets[bucket] = PARADT__START_GRID - (paradt_index)(starts->grid_count - 1);
+        }
+    }
+    return PARADT_OK;
+}
+
+// Makes the grids: level after level, until no bucket is crowded.
+static paradt_status paradt__starts_refine(paradt__starts *starts, const paradt__start_points *points,
+                                           paradt__memory *memory, paradt__meter *meter) {
+    size_t grid = 0, from, i;
+    paradt_status status = paradt__starts_add(starts, points->count, -1, memory);
+    int level;
+    for (level = 1; level <= PARADT__START_LEVELS && !status && grid < starts->grid_count; level++) {
+        size_t before = starts->grid_count;
+        paradt_index *crowds;
+        from = starts->grids[grid].first;
+        crowds = (paradt_index *)paradt__alloc_filled(memory, starts->bucket_count - from, sizeof *crowds);
+        if (!crowds) return PARADT_ERROR_MEMORY;
+        memset(crowds, 0, (starts->bucket_count - from) * sizeof *crowds);
+        for (i = 0; i < points->count; i++) {
+            size_t point = (size_t)paradt__start_point(points, i);
+            size_t bucket = paradt__starts_bucket_of(starts, points->records + point * points->width);
+            if (i % PARADT__PACE == 0 && meter && paradt__meter_cancels(meter)) {
+                status = PARADT_ERROR_CANCELLED;
+                break;
+            }
+            if (bucket >= from) crowds[bucket - from]++;
+        }
+        if (!status) status = paradt__starts_divide(starts, grid, crowds, memory);
+        paradt__release(memory, crowds);
+        grid = before;
+    }
+    return status;
+}
+
+// A vertex that a bucket names, or one in the grid over it, which is filled already
+static paradt_index paradt__starts_any(const paradt__starts *starts, size_t bucket) {
+    while (starts->buckets[bucket] <= PARADT__START_GRID) {
+        const paradt__start_grid *grid = starts->grids + (PARADT__START_GRID - starts->buckets[bucket]);
+        bucket = grid->first + ((size_t)1 << grid->all) / 2;
+    }
+    return starts->buckets[bucket];
+}
+
+// Has empty buckets of a grid name a vertex of the next one that is not empty along an axis, axis after axis.
+static void paradt__starts_fill(paradt__starts *starts, const paradt__start_grid *grid) {
+    size_t all = (size_t)1 << grid->all, i;
+    paradt_index *buckets = starts->buckets + grid->first;
+    int axis, shift = 0;
+    for (axis = starts->dim - 1; axis >= 0; shift += grid->bits[axis--]) {
+        size_t step = (size_t)1 << shift, last = (((size_t)1 << grid->bits[axis]) - 1) << shift;
+        for (i = 0; i < all; i++) {
+            if (buckets[i] == PARADT__START_NOBODY && i & last)
+                buckets[i] = paradt__starts_any(starts, grid->first + i - step);
+        }
+        for (i = all; i-- > 0;) {
+            if (buckets[i] == PARADT__START_NOBODY && (i & last) != last)
+                buckets[i] = paradt__starts_any(starts, grid->first + i + step);
+        }
+    }
+}
+
+// Makes zeroed starts of points of `dim` coordinates. meter: NULL, or asked now and then. After an error the caller
+// frees them.
+PARADT__OPTIONAL paradt_status paradt__starts_make(paradt__starts *starts, const paradt__start_points *points, int dim,
+                                                   paradt__memory *memory, paradt__meter *meter) {
+    double high[PARADT_MAX_DIM];
+    paradt_status status;
+    size_t i;
+    int axis;
+    if (!points->count) return PARADT_OK;
+    starts->dim = dim;
+    for (i = 0; i < points->count; i++) {
+        const double *x = points->records + (size_t)paradt__start_point(points, i) * points->width;
+        for (axis = 0; axis < dim; axis++) {
+            if (!i || x[axis] < starts->low[axis]) starts->low[axis] = x[axis];
+            if (!i || x[axis] > high[axis]) high[axis] = x[axis];
+        }
+    }
+    for (axis = 0; axis < dim; axis++) {
+        starts->side[axis] = high[axis] * 0.5 - starts->low[axis] * 0.5;
+        starts->scale[axis] = starts->side[axis] > 0 ? 0.5 / starts->side[axis] : 0;
+    }
+    status = paradt__starts_refine(starts, points, memory, meter);
+    if (status) return status;
+    for (i = 0; i < points->count; i++) {
+        paradt_index point = paradt__start_point(points, i);
+        paradt__starts_put(starts, points->records + (size_t)point * points->width, point);
+    }
+    for (i = starts->grid_count; i-- > 0;) paradt__starts_fill(starts, starts->grids + i);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>distances
+//
+// Which of two vertices is nearer to a place x: of the smaller power |x - p|^2 - w, or of the smaller distance where
+// there are no weights; ties are broken by the lexicographic order. A power is computed in doubles with a bound on its
+// error; where that leaves it open which is smaller, the difference is computed in integers.
+//
+// The bound: each square has been rounded three times, the sum of d <= 8 squares and the weight eight times at most, so
+// the error is less than 12 roundoffs times the sum of the sizes, to first order; twice that covers the higher orders
+// and the rounding of the bound itself. Underflow is covered by the space's `tiny`. The place must be admitted, and the
+// space's filters tell whether anything could overflow: without them all is done in integers.
+// Doors: paradt__power_at, paradt__compare_powers, paradt__compare_radius.
+
+#define PARADT__POWER_FACTOR (24 * PARADT__ROUNDOFF)
+
+typedef struct paradt__power_of {
+    double value, error; // the true power is within `error` of the value
+    paradt_index vertex;
+} paradt__power_of;
+
+// The power of x to a vertex. weighted: weights take part
+PARADT__INLINE paradt__power_of paradt__power_at(const paradt__scene *scene, const double *x, paradt_index vertex,
+                                                 int ambient, int weighted) {
+    const double *p = paradt__scene_record(scene, vertex);
+    paradt__power_of power;
+    double sum = 0, size;
+    int axis;
+    for (axis = 0; axis < ambient; axis++) sum += (x[axis] - p[axis]) * (x[axis] - p[axis]);
+    size = weighted ? sum + paradt__abs(p[ambient]) : sum;
+    power.value = weighted ? sum - p[ambient] : sum;
+    power.error = PARADT__POWER_FACTOR * size + scene->space.tiny;
+    power.vertex = vertex;
+    return power;
+}
+
+enum {
+    // digits of a difference of two doubles, and of a sum of 17 squares of such
+    PARADT__DISTANCE_DIGITS = (1024 + 1074 + 1) / PARADT__RADIX + 1,
+    PARADT__SQUARES_DIGITS = (2 * (1024 + 1074 + 1) + 5) / PARADT__RADIX + 2
+};
+
+// A sum of signed squares, in integers
+typedef struct paradt__squares {
+    int unit, digits; // of the differences,
+    int lift_unit;    // of the sum,
+    int sum_digits;   // and its digits
+    int used;         // products since the last carries
+    paradt__wide sum[PARADT__SQUARES_DIGITS];
+} paradt__squares;
+
+// Begins an empty sum for numbers in these ranges: of what is squared, and of weights.
+static void paradt__squares_begin(paradt__squares *s, const paradt__range *x, const paradt__range *w) {
+    int bits;
+    s->unit = paradt__min(x->unit, x->top);
+    bits = paradt__max(x->top, s->unit) + 1 - s->unit;
+    s->digits = paradt__digit_count(bits);
+    s->lift_unit = 2 * s->unit;
+    if (w->unit < s->lift_unit)
+        s->lift_unit -= (s->lift_unit - w->unit + PARADT__RADIX - 1) / PARADT__RADIX * PARADT__RADIX;
+    bits = paradt__max(2 * (s->unit + bits) + 5, w->top + 2) - s->lift_unit;
+    s->sum_digits = paradt__digit_count(bits);
+    s->used = 8; // the weights add less than 8 products
+    PARADT_ASSERT(s->digits <= PARADT__DISTANCE_DIGITS && s->sum_digits <= PARADT__SQUARES_DIGITS);
+    paradt__clear_any(s->sum, s->sum_digits);
+}
+
+// Adds sign * (a - b)^2.
+static void paradt__squares_add(paradt__squares *s, int sign, double a, double b) {
+    const int offset = (2 * s->unit - s->lift_unit) / PARADT__RADIX;
+    paradt__wide difference[PARADT__DISTANCE_DIGITS];
+    paradt__digit digits[PARADT__DISTANCE_DIGITS];
+    paradt__clear_any(difference, s->digits);
+    paradt__add_difference(difference, 1, a, b, s->unit);
+    paradt__store_any(digits, difference, s->digits);
+    paradt__make_room(s->sum, s->sum_digits, &s->used, s->digits);
+    paradt__multiply_add_any(s->sum + offset, sign, digits, s->digits, digits, s->digits);
+}
+
+static int paradt__squares_sign(const paradt__squares *s) {
+    paradt__digit digits[PARADT__SQUARES_DIGITS];
+    paradt__store_any(digits, s->sum, s->sum_digits);
+    return paradt__sign(digits, s->sum_digits);
+}
+
+// The sign of the power of x to the vertex a less that to b
+PARADT__NOINLINE int paradt__exact_powers(const paradt__scene *scene, const double *x, paradt_index a, paradt_index b,
+                                          int weighted) {
+    const double *p = paradt__scene_record(scene, a), *q = paradt__scene_record(scene, b);
+    const int ambient = scene->space.ambient;
+    paradt__range coordinates = paradt__no_range, weights = paradt__no_range;
+    paradt__squares s;
+    int axis;
+    for (axis = 0; axis < ambient; axis++) {
+        paradt__measure(&coordinates, x[axis]);
+        paradt__measure(&coordinates, p[axis]);
+        paradt__measure(&coordinates, q[axis]);
+    }
+    if (weighted) {
+        paradt__measure(&weights, p[ambient]);
+        paradt__measure(&weights, q[ambient]);
+    }
+    paradt__squares_begin(&s, &coordinates, &weights);
+    for (axis = 0; axis < ambient; axis++) {
+        paradt__squares_add(&s, 1, x[axis], p[axis]);
+        paradt__squares_add(&s, -1, x[axis], q[axis]);
+    }
+    if (weighted) paradt__add_difference(s.sum, -1, p[ambient], q[ambient], s.lift_unit);
+    return paradt__squares_sign(&s);
+}
+
+// Decides what the powers' values leave open.
+PARADT__NOINLINE int paradt__compare_close_powers(const paradt__scene *scene, const double *x,
+                                                  const paradt__power_of *a, const paradt__power_of *b, int weighted) {
+    const paradt__space *space = &scene->space;
+    int sign = 1;
+    if (a->vertex == b->vertex) return 0;
+    if (space->bounded) { // a difference less than its quantum is 0
+        int unit = 2 * space->coordinates.unit;
+        if (weighted) unit = paradt__min(unit, space->weights.unit);
+        if (paradt__abs(a->value - b->value) + 2 * (a->error + b->error) < paradt__quantum(unit)) sign = 0;
+    }
+    if (sign) sign = paradt__exact_powers(scene, x, a->vertex, b->vertex, weighted);
+    return sign
+               ? sign
+               : paradt__compare(space, paradt__scene_record(scene, a->vertex), paradt__scene_record(scene, b->vertex));
+}
+
+// Is a nearer to x than b (-1), or b (1)? 0: they are one vertex
+PARADT__INLINE int paradt__compare_powers(const paradt__scene *scene, const double *x, const paradt__power_of *a,
+                                          const paradt__power_of *b, int weighted) {
+    double difference = a->value - b->value, error = 2 * (a->error + b->error);
+    if (PARADT__LIKELY((difference > error || difference < -error) && scene->space.bounded))
+        return difference > 0 ? 1 : -1;
+    return paradt__compare_close_powers(scene, x, a, b, weighted);
+}
+
+// The sign of the distance of x from a vertex less the radius, which is not negative and finite
+PARADT__OPTIONAL int paradt__compare_radius(const paradt__scene *scene, const double *x, paradt_index vertex,
+                                            double radius) {
+    const double *p = paradt__scene_record(scene, vertex);
+    const int ambient = scene->space.ambient;
+    paradt__power_of power = paradt__power_at(scene, x, vertex, ambient, 0);
+    paradt__range range = paradt__no_range;
+    paradt__squares s;
+    int axis;
+    if (scene->space.bounded && radius < paradt__power(500)) {
+        double difference = power.value - radius * radius;
+        double error = 2 * (power.error + PARADT__POWER_FACTOR * radius * radius);
+        if (difference > error || difference < -error) return difference > 0 ? 1 : -1;
+    }
+    paradt__measure(&range, radius);
+    for (axis = 0; axis < ambient; axis++) {
+        paradt__measure(&range, x[axis]);
+        paradt__measure(&range, p[axis]);
+    }
+    paradt__squares_begin(&s, &range, &paradt__no_range);
+    for (axis = 0; axis < ambient; axis++) paradt__squares_add(&s, 1, x[axis], p[axis]);
+    paradt__squares_add(&s, -1, radius, 0);
+    return paradt__squares_sign(&s);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>nearest
+//
+// The vertex of the smallest power to a place, in any scene: greedy descent. In T(P) a vertex that is not the one has a
+// neighbour that is nearer, because lifted to |p|^2 - w the cells are a convex function, and so they are with any
+// affine function added, here that of the power to x; a vertex where it is not smallest has an edge along which it
+// falls. The same holds among equally near ones for the lexicographic order, an affine function of infinitesimal
+// weights: so the descent ends at the first of them. The neighbours come from the cells around the vertex.
+//
+// Nothing is written but on the stack. Only where a vertex has more cells than PARADT__STAR_CELLS memory is needed; if
+// there is none, all cells are looked at.
+// Doors: paradt__nearest_in, paradt__seen_add, paradt__seen_clear, paradt__seen_free.
+
+// A set of indices that are not negative, in the order in which they came
+typedef struct paradt__seen {
+    paradt__list items;
+    paradt_index *table; // [slots] hashed; PARADT__OPEN: free
+    size_t slots;        // a power of two, or 0
+} paradt__seen;
+
+PARADT__INLINE size_t paradt__seen_slot(const paradt__seen *seen, paradt_index item) {
+    return (size_t)(((uint64_t)item * UINT64_C(0x9e3779b97f4a7c15)) >> 32) & (seen->slots - 1);
+}
+
+static paradt_status paradt__seen_grow(paradt__seen *seen, paradt__memory *memory) {
+    size_t slots = seen->slots ? 2 * seen->slots : 128, i, at;
+    paradt_index *table = (paradt_index *)paradt__alloc(memory, slots, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < slots; i++) table[i] = PARADT__OPEN;
+    paradt__release(memory, seen->table);
+    seen->table = table;
+    seen->slots = slots;
+    for (i = 0; i < seen->items.count; i++) {
+        for (at = paradt__seen_slot(seen, seen->items.items[i]); table[at] >= 0;) at = (at + 1) & (slots - 1);
+        table[at] = seen->items.items[i];
+    }
+    return PARADT_OK;
+}
+
+// Adds an item. *fresh: it was not there before
+PARADT__INLINE paradt_status paradt__seen_add(paradt__seen *seen, paradt_index item, int *fresh,
+                                              paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    size_t at;
+    if (2 * seen->items.count >= seen->slots) status = paradt__seen_grow(seen, memory);
+    if (status) return status;
+    *fresh = 0;
+    for (at = paradt__seen_slot(seen, item); seen->table[at] != item; at = (at + 1) & (seen->slots - 1)) {
+        if (seen->table[at] >= 0) continue;
+        status = paradt__list_append(&seen->items, item, memory);
+        if (status) return status;
+        seen->table[at] = item;
+        *fresh = 1;
+        break;
+    }
+    return PARADT_OK;
+}
+
+// Empties the set, in the time that its items took.
+PARADT__OPTIONAL void paradt__seen_clear(paradt__seen *seen) {
+    size_t i, at;
+    for (i = 0; i < seen->items.count; i++) {
+        for (at = paradt__seen_slot(seen, seen->items.items[i]); seen->table[at] != seen->items.items[i];)
+            at = (at + 1) & (seen->slots - 1);
+        seen->table[at] = PARADT__OPEN;
+    }
+    seen->items.count = 0;
+}
+
+static void paradt__seen_free(paradt__seen *seen, paradt__memory *memory) {
+    paradt__list_free(&seen->items, memory);
+    paradt__release(memory, seen->table);
+    memset(seen, 0, sizeof *seen);
+}
+
+// The best vertex so far, and a cell that has it
+typedef struct paradt__candidate {
+    paradt__power_of power;
+    paradt_index cell;
+} paradt__candidate;
+
+static void paradt__candidate_try(const paradt__scene *scene, const double *x, paradt_index vertex, paradt_index cell,
+                                  paradt__candidate *best) {
+    const int weighted = scene->space.weighted;
+    paradt__power_of power;
+    if (vertex < 0 || vertex == best->power.vertex) return;
+    power = paradt__power_at(scene, x, vertex, scene->space.ambient, weighted);
+    if (best->power.vertex >= 0 && paradt__compare_powers(scene, x, &power, &best->power, weighted) > 0) return;
+    best->power = power;
+    best->cell = cell;
+}
+
+// Tries all vertices of a cell or ghost; at a free place there are none.
+static void paradt__candidate_try_cell(const paradt__scene *scene, const double *x, paradt_index cell,
+                                       paradt__candidate *best) {
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    int i;
+    if (row[0] == PARADT__DEAD) return;
+    for (i = 0; i < scene->mesh.corners; i++) paradt__candidate_try(scene, x, row[i], cell, best);
+}
+
+// Tries the neighbours of the best vertex, of whatever number.
+static paradt_status paradt__candidate_try_all_around(const paradt__scene *scene, const double *x,
+                                                      paradt__candidate *best, paradt__memory *memory) {
+    const paradt__mesh *mesh = &scene->mesh;
+    const paradt_index vertex = best->power.vertex, corners = mesh->corners;
+    paradt__seen star;
+    paradt_status status;
+    size_t next;
+    int fresh;
+    memset(&star, 0, sizeof star);
+    status = paradt__seen_add(&star, best->cell, &fresh, memory);
+    for (next = 0; next < star.items.count && !status; next++) {
+        const paradt_index base = star.items.items[next] * corners;
+        paradt_index i;
+        paradt__candidate_try_cell(scene, x, star.items.items[next], best);
+        for (i = base; i < base + corners && !status; i++) {
+            if (mesh->vertices[i] != vertex) status = paradt__seen_add(&star, mesh->links[i] / corners, &fresh, memory);
+        }
+    }
+    paradt__seen_free(&star, memory);
+    return status;
+}
+
+// Returns the vertex that is nearest to x; of equally near ones the first in lexicographic order. cell: one near x, not
+// a ghost; x: admitted.
+PARADT__OPTIONAL paradt_index paradt__nearest_in(const paradt__view *view, paradt_index cell, const double *x,
+                                                 paradt__memory *memory) {
+    const paradt__scene *scene = &view->scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt__star star;
+    paradt__candidate best;
+    paradt_index vertex = PARADT__NOWHERE;
+    size_t i;
+    memset(&best, 0, sizeof best);
+    best.power.vertex = -1;
+    paradt__candidate_try_cell(scene, x, cell, &best);
+    while (best.power.vertex != vertex && scene->space.dim > 0) {
+        vertex = best.power.vertex;
+        paradt__star_of(mesh, best.cell, vertex, &star);
+        for (i = 0; i < star.count; i++) {
+            paradt_index handle = star.handles[i];
+            paradt__candidate_try(scene, x, mesh->vertices[handle], handle / mesh->corners, &best);
+        }
+        if (best.power.vertex != vertex || star.count <= PARADT__STAR_CELLS) continue;
+        if (!paradt__candidate_try_all_around(scene, x, &best, memory)) continue;
+        for (i = 0; i < mesh->count; i++) paradt__candidate_try_cell(scene, x, (paradt_index)i, &best);
+        break;
+    }
+    return best.power.vertex;
+}
+#endif // PARADT_NO_LOCATOR and PARADT_NO_DYNAMIC
+
+#ifndef PARADT_NO_LOCATOR
+// ---------------------------------------------------------------------------------------------------------------------
+// >>adjacency
+//
+// Which cells a vertex has, and which vertices it has edges with, as lists end to end. They are made from the rows of
+// the cells alone: the cells of each vertex by counting, its neighbours by marking each when it is met first. Lists of
+// neighbours become ascending by being transposed: the relation is symmetric.
+// Doors: paradt__relation_of_cells, paradt__relation_of_neighbors, paradt__relation_free; the public functions.
+
+typedef struct paradt__relation {
+    size_t *first;       // [points + 1] where each list begins, and the end of the last
+    paradt_index *items; // [first[points]]
+} paradt__relation;
+
+static void paradt__relation_free(paradt__relation *lists, paradt__memory *memory) {
+    paradt__release(memory, lists->first);
+    paradt__release(memory, lists->items);
+    memset(lists, 0, sizeof *lists);
+}
+
+// Makes room for an item in each list that it is counted for, in first[list + 1].
+static paradt_status paradt__relation_sum(paradt__relation *lists, size_t points, paradt__memory *memory) {
+    size_t i;
+    for (i = 0; i < points; i++) lists->first[i + 1] += lists->first[i];
+    lists->items = (paradt_index *)paradt__alloc(memory, lists->first[points], sizeof *lists->items);
+    return lists->items ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// After first[list] has moved to the end of each list as it was filled, moves it to the beginning again.
+static void paradt__relation_rewind(paradt__relation *lists, size_t points) {
+    memmove(lists->first + 1, lists->first, points * sizeof *lists->first);
+    lists->first[0] = 0;
+}
+
+// Lists the cells of each point, ascending. INVALID: a vertex is no point. After an error the caller frees the lists.
+static paradt_status paradt__relation_of_cells(paradt__relation *lists, const paradt_index *cells, size_t count,
+                                               int corners, size_t points, paradt__memory *memory) {
+    size_t all = count * (size_t)corners, i;
+    paradt_status status;
+    lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
+    if (!lists->first) return PARADT_ERROR_MEMORY;
+    memset(lists->first, 0, (points + 1) * sizeof *lists->first);
+    for (i = 0; i < all; i++) {
+        if ((paradt__tag)cells[i] >= (paradt__tag)points) return PARADT_ERROR_INVALID;
+        lists->first[cells[i] + 1]++;
+    }
+    status = paradt__relation_sum(lists, points, memory);
+    if (status) return status;
+    for (i = 0; i < all; i++) lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    paradt__relation_rewind(lists, points);
+    return PARADT_OK;
+}
+
+// Lists the neighbours of each point, in any order. cells_of: the cells of each. meter: asked now and then. After an
+// error the caller frees the lists.
+static paradt_status paradt__relation_of_neighbors(paradt__relation *lists, const paradt__relation *cells_of,
+                                                   const paradt_index *cells, int corners, size_t points,
+                                                   paradt__memory *memory, paradt__meter *meter) {
+    enum { AHEAD = 8 };
+    paradt_index *met = (paradt_index *)paradt__alloc(memory, points, sizeof *met);
+    paradt__list items;
+    paradt_status status = PARADT_OK;
+    size_t i, j;
+    int k;
+    memset(&items, 0, sizeof items);
+    lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
+    if (!met || !lists->first) status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < points && met; i++) met[i] = -1;
+    for (i = 0; i < points && !status; i++) {
+        lists->first[i] = items.count;
+        if (i % PARADT__PACE == 0 && paradt__meter_cancels(meter)) status = PARADT_ERROR_CANCELLED;
+        if (cells_of->first[i] < cells_of->first[i + 1]) met[i] = (paradt_index)i;
+        for (j = cells_of->first[i]; j < cells_of->first[i + 1] && !status; j++) {
+            const paradt_index *row = cells + (size_t)cells_of->items[j] * (size_t)corners;
+            if (j + AHEAD < cells_of->first[points])
+                PARADT__FETCH(cells, (size_t)cells_of->items[j + AHEAD] * (size_t)corners);
+            status =
+                paradt__list_room(&items.items, items.count, &items.capacity, items.count + (size_t)corners, memory);
+            for (k = 0; k < corners && !status; k++) {
+                if (met[row[k]] == (paradt_index)i) continue;
+                met[row[k]] = (paradt_index)i;
+                items.items[items.count++] = row[k];
+            }
+        }
+    }
+    paradt__release(memory, met);
+    lists->items = items.items;
+    if (lists->first) lists->first[points] = items.count;
+    if (!status && !items.items) lists->items = (paradt_index *)paradt__alloc(memory, 0, sizeof *lists->items);
+    return status || lists->items ? status : PARADT_ERROR_MEMORY;
+}
+
+// Makes ascending lists of neighbours of others.
+static paradt_status paradt__relation_transpose(paradt__relation *to, const paradt__relation *from, size_t points,
+                                                paradt__memory *memory) {
+    size_t i, j;
+    to->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *to->first);
+    to->items = (paradt_index *)paradt__alloc(memory, from->first[points], sizeof *to->items);
+    if (!to->first || !to->items) return PARADT_ERROR_MEMORY;
+    memcpy(to->first, from->first, (points + 1) * sizeof *to->first);
+    for (i = 0; i < points; i++) {
+        for (j = from->first[i]; j < from->first[i + 1]; j++) to->items[to->first[from->items[j]]++] = (paradt_index)i;
+    }
+    paradt__relation_rewind(to, points);
+    return PARADT_OK;
+}
+
+// Lists the edges, of two vertices each. *count: their number
+static paradt_status paradt__relation_of_edges(paradt__relation *to, const paradt__relation *from, size_t points,
+                                               size_t *count, paradt__memory *memory) {
+    size_t edges = from->first[points] / 2, i, j, at = 0;
+    to->first = (size_t *)paradt__alloc(memory, edges + 1, sizeof *to->first);
+    to->items = (paradt_index *)paradt__alloc(memory, 2 * edges, sizeof *to->items);
+    if (!to->first || !to->items) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < points; i++) {
+        for (j = from->first[i]; j < from->first[i + 1]; j++) {
+            if (from->items[j] <= (paradt_index)i) continue;
+            to->items[at++] = (paradt_index)i;
+            to->items[at++] = from->items[j];
+        }
+    }
+    PARADT_ASSERT(at == 2 * edges);
+    for (i = 0; i <= edges; i++) to->first[i] = 2 * i;
+    *count = edges;
+    return PARADT_OK;
+}
+
+// Makes the lists that are wanted. *count: their number
+static paradt_status paradt__adjacency_make(paradt__relation *lists, const paradt_triangulation *t,
+                                            paradt_adjacent what, size_t *count, paradt__memory *memory) {
+    paradt__relation cells, neighbors;
+    paradt__meter meter;
+    paradt_status status;
+    memset(&cells, 0, sizeof cells);
+    memset(&neighbors, 0, sizeof neighbors);
+    paradt__meter_begin(&meter, NULL);
+    *count = t->point_count;
+    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory);
+    if (what == PARADT_VERTEX_CELLS) {
+        *lists = cells;
+        return status;
+    }
+    if (!status)
+        status = paradt__relation_of_neighbors(&neighbors, &cells, t->cells, t->dim + 1, *count, memory, &meter);
+    paradt__relation_free(&cells, memory);
+    if (!status) status = paradt__relation_transpose(what == PARADT_EDGES ? &cells : lists, &neighbors, *count, memory);
+    paradt__relation_free(&neighbors, memory);
+    if (!status && what == PARADT_EDGES) status = paradt__relation_of_edges(lists, &cells, *count, count, memory);
+    paradt__relation_free(&cells, memory);
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_adjacency_compute(paradt_adjacency *out, const paradt_triangulation *t,
+                                                  paradt_adjacent what, const paradt_options *options) {
+    paradt__memory memory;
+    paradt__relation lists;
+    paradt_status status;
+    size_t count = 0;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    memset(out, 0, sizeof *out);
+    if (!t || (unsigned)what > PARADT_EDGES || t->dim < -1 || t->dim > PARADT_MAX_DIM ||
+        (t->cell_count && (!t->cells || t->dim < 0)) || (options && paradt__options_fault(options)))
+        return PARADT_ERROR_ARGUMENT;
+    if (t->point_count > paradt__most_cells(2)) return PARADT_ERROR_TOO_LARGE;
+    memset(&lists, 0, sizeof lists);
+    paradt__memory_begin(&memory, options);
+    status = paradt__adjacency_make(&lists, t, what, &count, &memory);
+    if (status) {
+        paradt__relation_free(&lists, &memory);
+        return status;
+    }
+    out->count = count;
+    out->first = lists.first;
+    out->items = lists.items;
+    out->allocator = memory.allocator;
+    return PARADT_OK;
+}
+
+PARADT_DEF void paradt_adjacency_free(paradt_adjacency *adjacency) {
+    paradt__memory memory;
+    paradt_options options;
+    if (!adjacency) return;
+    memset(&options, 0, sizeof options);
+    options.allocator = adjacency->allocator;
+    paradt__memory_begin(&memory, &options);
+    paradt__release(&memory, adjacency->first);
+    paradt__release(&memory, adjacency->items);
+    memset(adjacency, 0, sizeof *adjacency);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>searches among neighbours
+//
+// The nearest vertex, the k nearest, and those in a ball, where the neighbours of each vertex are listed. All rest on
+// what >>nearest says of the descent: every vertex but the first has a neighbour that comes before it, in the order of
+// powers and, among equal ones, the lexicographic order. So the vertices up to any one in this order hang together, and
+// the next is always a neighbour of one of them. Vertices in a ball of radius r have powers of at most r^2 less the
+// least weight, and are looked for among these.
+// Doors: paradt__descend, paradt__first_some, paradt__in_ball, paradt__scratch_of, paradt__scratch_done; the public
+// function.
+
+// Returns the first vertex in the order of powers. vertex: one nearby to begin with
+PARADT__INLINE paradt_index paradt__descend_any(const paradt__scene *scene, const paradt__relation *neighbors,
+                                                const double *x, paradt_index vertex, int ambient, int weighted) {
+    paradt__power_of best = paradt__power_at(scene, x, vertex, ambient, weighted);
+    do {
+        const paradt_index *at = neighbors->items + neighbors->first[vertex = best.vertex], *item;
+        const paradt_index *end = neighbors->items + neighbors->first[vertex + 1];
+        for (item = at; item < end; item++) PARADT__FETCH(scene->records, (size_t)*item * scene->width);
+        for (item = at; item < end; item++) {
+            paradt__power_of power = paradt__power_at(scene, x, *item, ambient, weighted);
+            if (paradt__compare_powers(scene, x, &power, &best, weighted) < 0) best = power;
+        }
+    } while (best.vertex != vertex);
+    return vertex;
+}
+
+static paradt_index paradt__descend(const paradt__scene *scene, const paradt__relation *neighbors, const double *x,
+                                    paradt_index vertex) {
+    const int ambient = scene->space.ambient, weighted = scene->space.weighted;
+    if (PARADT__IS(ambient, 3) && !weighted) return paradt__descend_any(scene, neighbors, x, vertex, 3, 0);
+    if (ambient == 2 && !weighted) return paradt__descend_any(scene, neighbors, x, vertex, 2, 0);
+    return paradt__descend_any(scene, neighbors, x, vertex, ambient, weighted);
+}
+
+// What searches of one thread keep: the block of paradt_work
+typedef struct paradt__scratch {
+    paradt__memory memory;
+    paradt__seen seen;      // vertices
+    paradt__power_of *heap; // [heap_capacity] those not taken yet: a heap, the first in the order on top
+    size_t heap_count, heap_capacity;
+    paradt__list found;    // what was found
+    paradt__keyed *sorted; // [2 * sorted_capacity] for sorting it
+    size_t sorted_capacity;
+} paradt__scratch;
+
+// Returns the scratch of a work, emptied; NULL: there is no memory
+static paradt__scratch *paradt__scratch_of(paradt_work *work) {
+    paradt__scratch *scratch = (paradt__scratch *)work->block;
+    if (!scratch) {
+        paradt_options options;
+        paradt__memory memory;
+        memset(&options, 0, sizeof options);
+        options.allocator = work->allocator;
+        paradt__memory_begin(&memory, &options);
+        scratch = (paradt__scratch *)paradt__alloc(&memory, 1, sizeof *scratch);
+        if (!scratch) return NULL;
+        memset(scratch, 0, sizeof *scratch);
+        scratch->memory = memory;
+        work->block = scratch;
+    }
+    paradt__seen_clear(&scratch->seen);
+    scratch->heap_count = scratch->found.count = 0;
+    return scratch;
+}
+
+static void paradt__scratch_done(const paradt__scratch *scratch, paradt_work *work) {
+    work->size = (size_t)scratch->memory.held;
+}
+
+PARADT_DEF void paradt_work_free(paradt_work *work) {
+    paradt__scratch *scratch = work ? (paradt__scratch *)work->block : NULL;
+    paradt__memory memory;
+    if (!scratch) return;
+    memory = scratch->memory;
+    paradt__seen_free(&scratch->seen, &memory);
+    paradt__list_free(&scratch->found, &memory);
+    paradt__release(&memory, scratch->heap);
+    paradt__release(&memory, scratch->sorted);
+    paradt__release(&memory, scratch);
+    work->block = NULL;
+    work->size = 0;
+}
+
+// Puts a vertex onto the heap, if it is seen for the first time.
+static paradt_status paradt__heap_push(paradt__scratch *scratch, const paradt__scene *scene, const double *x,
+                                       paradt_index vertex) {
+    const int weighted = scene->space.weighted;
+    paradt__power_of power;
+    size_t at, up;
+    int fresh;
+    paradt_status status = paradt__seen_add(&scratch->seen, vertex, &fresh, &scratch->memory);
+    if (status || !fresh) return status;
+    if (scratch->heap_count == scratch->heap_capacity) {
+        void *heap = scratch->heap;
+        size_t capacity = 2 * scratch->heap_capacity + 32;
+        if (!paradt__grow(&scratch->memory, &heap, scratch->heap_count, capacity, sizeof *scratch->heap))
+            return PARADT_ERROR_MEMORY;
+        scratch->heap = (paradt__power_of *)heap;
+        scratch->heap_capacity = capacity;
+    }
+    power = paradt__power_at(scene, x, vertex, scene->space.ambient, weighted);
+    for (at = scratch->heap_count++; at > 0; at = up) {
+        up = (at - 1) / 2;
+        if (paradt__compare_powers(scene, x, &power, &scratch->heap[up], weighted) > 0) break;
+        scratch->heap[at] = scratch->heap[up];
+    }
+    scratch->heap[at] = power;
+    return PARADT_OK;
+}
+
+// Takes the first vertex from the heap, which is not empty.
+static paradt_index paradt__heap_pop(paradt__scratch *scratch, const paradt__scene *scene, const double *x) {
+    const int weighted = scene->space.weighted;
+    paradt__power_of *heap = scratch->heap, last = heap[--scratch->heap_count];
+    paradt_index vertex = heap[0].vertex;
+    size_t at = 0, down, count = scratch->heap_count;
+    for (; (down = 2 * at + 1) < count; at = down) {
+        if (down + 1 < count && paradt__compare_powers(scene, x, &heap[down + 1], &heap[down], weighted) < 0) down++;
+        if (paradt__compare_powers(scene, x, &heap[down], &last, weighted) > 0) break;
+        heap[at] = heap[down];
+    }
+    if (count) heap[at] = last;
+    return vertex;
+}
+
+// Lists the first `count` vertices, in their order, in scratch->found. vertex: the very first
+static paradt_status paradt__first_some(paradt__scratch *scratch, const paradt__scene *scene,
+                                        const paradt__relation *neighbors, const double *x, paradt_index vertex,
+                                        size_t count) {
+    paradt_status status = paradt__heap_push(scratch, scene, x, vertex);
+    size_t j;
+    while (!status && scratch->heap_count && scratch->found.count < count) {
+        vertex = paradt__heap_pop(scratch, scene, x);
+        status = paradt__list_append(&scratch->found, vertex, &scratch->memory);
+        if (scratch->found.count == count) break;
+        for (j = neighbors->first[vertex]; j < neighbors->first[vertex + 1] && !status; j++)
+            status = paradt__heap_push(scratch, scene, x, neighbors->items[j]);
+    }
+    return status;
+}
+
+// Lists the vertices at most `radius` from x, in any order, in scratch->found. vertex: the first; least: the least
+// weight. radius: not negative, may be infinite
+static paradt_status paradt__in_ball(paradt__scratch *scratch, const paradt__scene *scene,
+                                     const paradt__relation *neighbors, const double *x, paradt_index vertex,
+                                     double radius, double least) {
+    const paradt__space *space = &scene->space;
+    const int weighted = space->weighted, finite = paradt__is_finite(radius);
+    const int bounded = finite && space->bounded && radius < paradt__power(500);
+    double limit = bounded ? radius * radius - least : 0, size = bounded ? radius * radius + paradt__abs(least) : 0;
+    double error = 4 * PARADT__POWER_FACTOR * size;
+    int fresh;
+    size_t next, j;
+    paradt_status status = paradt__seen_add(&scratch->seen, vertex, &fresh, &scratch->memory);
+    for (next = 0; next < scratch->seen.items.count && !status; next++) {
+        paradt__power_of power;
+        vertex = scratch->seen.items.items[next];
+        power = paradt__power_at(scene, x, vertex, space->ambient, weighted);
+        if (bounded && power.value - limit > 2 * power.error + error) continue;
+        if (finite && paradt__compare_radius(scene, x, vertex, radius) > 0) {
+            if (!weighted) continue;
+        } else {
+            status = paradt__list_append(&scratch->found, vertex, &scratch->memory);
+        }
+        for (j = neighbors->first[vertex]; j < neighbors->first[vertex + 1] && !status; j++)
+            status = paradt__seen_add(&scratch->seen, neighbors->items[j], &fresh, &scratch->memory);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>along
+//
+// The cells along a segment from a to b. The walk is at a place p on the segment, which it does not compute: it knows a
+// cell, and of the cell's faces the one whose interior holds p, as a set of vertices. All is decided by signs of
+// orientations of vertices, a and b.
+//
+//   enter  Among the cells around the face, it crosses every facet through the face that has b strictly beyond it, as a
+//          visibility walk does. It ends at a cell that the segment runs in from p on, or leaves the hull, for good.
+//   leave  The segment leaves the cell through one of the facets that have b strictly beyond them. It reaches the facet
+//          opposite j before that opposite k where the cell with a for vertex j and b for vertex k is positively
+//          oriented: with s the side of a facet's hyperplane, as a determinant, s_j(a) s_k(b) - s_k(a) s_j(b) is the
+//          product of this cell's determinant and of the cell's own. The vertices that are on no facet that is reached
+//          first, and that the segment does not run along, are the next face.
+//
+// From outside, the hull is entered likewise: seen from a, the hull facets that face a are a regular subdivision, and a
+// visibility walk among their ghosts finds the one in the direction of b, or a ridge beyond which b misses the hull.
+// Doors: paradt__along.
+
+typedef struct paradt__ray {
+    paradt__view *view;
+    const double *a, *b;
+    paradt_index face[PARADT_MAX_DIM + 1]; // vertices of the face whose interior the walk is in
+    int count;
+    size_t steps; // left, before it gives up
+} paradt__ray;
+
+// Sign of the orientation of a cell or ghost with a or b, or both, in the places of vertices. at_a, at_b: these places;
+// -1: none
+static int paradt__ray_side(paradt__ray *ray, paradt_index cell, int at_a, int at_b) {
+    paradt__scene *scene = &ray->view->scene;
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    const double *p[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++)
+        p[i] = i == at_a ? ray->a : i == at_b ? ray->b : paradt__scene_record(scene, row[i]);
+    return paradt__orient(&scene->space, p);
+}
+
+// Which vertices of a cell are the face's: a bit for each
+static unsigned paradt__ray_face(const paradt__ray *ray, const paradt_index *row, int corners) {
+    unsigned face = 0;
+    int i, j;
+    for (i = 0; i < corners; i++) {
+        for (j = 0; j < ray->count; j++) face |= (unsigned)(row[i] == ray->face[j]) << i;
+    }
+    return face;
+}
+
+static void paradt__ray_set_face(paradt__ray *ray, const paradt_index *row, int corners, unsigned face) {
+    int i;
+    ray->count = 0;
+    for (i = 0; i < corners; i++) {
+        if (face >> i & 1) ray->face[ray->count++] = row[i];
+    }
+}
+
+// Finds the cell around the face that the segment runs in from here on. Returns PARADT__OPEN where it leaves the hull.
+static paradt_index paradt__ray_enter(paradt__ray *ray, paradt_index cell) {
+    const paradt__mesh *mesh = &ray->view->scene.mesh;
+    const int corners = mesh->corners;
+    int i = 0, from = -1;
+    while (i < corners && ray->steps) {
+        const paradt_index *row = paradt__mesh_row(mesh, cell);
+        unsigned face = paradt__ray_face(ray, row, corners);
+        if (paradt__ghost_place(row, corners) >= 0) return PARADT__OPEN;
+        for (i = 0; i < corners; i++) {
+            if (i != from && !(face >> i & 1) && paradt__ray_side(ray, cell, -1, i) < 0) break;
+        }
+        if (i == corners) return cell;
+        from = (int)(mesh->links[(size_t)cell * (size_t)corners + (size_t)i] % corners);
+        cell = paradt__mesh_cell(mesh, mesh->links[(size_t)cell * (size_t)corners + (size_t)i]);
+        ray->steps--;
+    }
+    return PARADT__OPEN;
+}
+
+// Goes to the border of a cell that the segment runs in. Returns 0 where it ends in the cell.
+static int paradt__ray_leave(paradt__ray *ray, paradt_index cell) {
+    const paradt__mesh *mesh = &ray->view->scene.mesh;
+    const int corners = mesh->corners;
+    const paradt_index *row = paradt__mesh_row(mesh, cell);
+    unsigned face = paradt__ray_face(ray, row, corners), next = 0, reached = 0;
+    int first = -1, i;
+    for (i = 0; i < corners; i++) {
+        int side = paradt__ray_side(ray, cell, -1, i), before;
+        if (side > 0 || (!side && face >> i & 1)) next |= 1u << i; // it does not run along this facet
+        if (side >= 0) continue;
+        before = first < 0 ? 1 : paradt__ray_side(ray, cell, i, first);
+        if (before > 0) { // than all others so far
+            next |= reached;
+            reached = 0;
+            first = i;
+        }
+        if (before >= 0) reached |= 1u << i;
+        else next |= 1u << i;
+    }
+    paradt__ray_set_face(ray, row, corners, next);
+    return first >= 0;
+}
+
+// Enters the hull from outside. ghost: one whose hull facet has a beyond it. Returns the cell behind the facet that the
+// segment goes to, or PARADT__OPEN: it does not reach the hull.
+static paradt_index paradt__ray_approach(paradt__ray *ray, paradt_index ghost) {
+    const paradt__mesh *mesh = &ray->view->scene.mesh;
+    const int corners = mesh->corners;
+    for (; ray->steps; ray->steps--) {
+        const paradt_index *row = paradt__mesh_row(mesh, ghost);
+        int infinite = paradt__ghost_place(row, corners), i, side = 0;
+        size_t base = (size_t)ghost * (size_t)corners;
+        unsigned face = 0;
+        if (paradt__ray_side(ray, ghost, infinite, -1) <= 0) return PARADT__OPEN; // beyond a silhouette
+        for (i = 0; i < corners; i++) {
+            if (i == infinite) continue;
+            side = paradt__ray_side(ray, ghost, infinite, i);
+            if (side < 0) break;
+            face |= (unsigned)(side > 0) << i;
+        }
+        if (i == corners) {
+            if (paradt__ray_side(ray, ghost, -1, infinite) >= 0) return PARADT__OPEN; // b is before the hull, or on it
+            paradt__ray_set_face(ray, row, corners, face);
+            return paradt__mesh_cell(mesh, mesh->links[base + (size_t)infinite]);
+        }
+        ghost = paradt__mesh_cell(mesh, mesh->links[base + (size_t)i]);
+    }
+    return PARADT__OPEN;
+}
+
+// Lists the cells along the segment from a to b. from: any place near a; a and b are admitted and, as the points, in
+// one flat. The points are not all at one place.
+static paradt_status paradt__along(paradt__view *view, paradt_index from, const double *a, const double *b,
+                                   paradt__list *cells, paradt__memory *memory) {
+    const paradt__mesh *mesh = &view->scene.mesh;
+    paradt__ray ray;
+    unsigned inside;
+    paradt_status status = PARADT_OK;
+    paradt_index cell = paradt__walk_any(&view->scene, from, a, mesh->count, &inside);
+    if (cell < 0) return PARADT_OK;
+    ray.view = view;
+    ray.a = a;
+    ray.b = b;
+    ray.count = 0;
+    ray.steps = 2 * mesh->count;
+    if (inside) paradt__ray_set_face(&ray, paradt__mesh_row(mesh, cell), mesh->corners, inside);
+    else cell = paradt__ray_approach(&ray, cell);
+    while (cell >= 0 && !status) {
+        cell = paradt__ray_enter(&ray, cell);
+        if (cell < 0) break;
+        status = paradt__list_append(cells, cell, memory);
+        if (!paradt__ray_leave(&ray, cell)) break;
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>locator
+//
+// What answers queries about the caller's triangulation. It has a scene of its own: the cells at the places of their
+// numbers and the ghosts behind them, and the vertices sorted along the curve, so that what is near in space is near in
+// memory; points that are no vertices are left out. Added are a cell of each vertex, the neighbours of each, and
+// buckets of starting vertices. After it is made nothing in it is written: each query, or task of many, has a view.
+//
+// Many queries are sorted along the curve, too. The next one begins where the one before ended, if both are in one
+// bucket of the starting cells; else at the vertex of its own bucket, which does not matter more for speed than that.
+// Doors: the public functions.
+
+struct paradt_locator {
+    paradt__memory memory;
+    paradt__set set;            // the vertices
+    paradt__scene scene;        // cells are numbers; dim -1: there are none
+    size_t point_count;         // of the caller's points
+    paradt_index *position;     // [point_count] of each point's vertex, or -1
+    paradt_index *cell_of;      // [set.count] a cell of each vertex
+    paradt__relation neighbors; // of each vertex
+    paradt__starts starts;      // vertices
+    double least;               // the least weight
+};
+
+static void paradt__locator_release(paradt_locator *locator) {
+    paradt__memory memory = locator->memory;
+    paradt__set_free(&locator->set, &memory);
+    paradt__mesh_free(&locator->scene.mesh, &memory);
+    paradt__release(&memory, locator->position);
+    paradt__release(&memory, locator->cell_of);
+    paradt__relation_free(&locator->neighbors, &memory);
+    paradt__starts_free(&locator->starts, &memory);
+    paradt__release(&memory, locator);
+}
+
+// --- making one
+
+// What is only there while a locator is made
+typedef struct paradt__locating {
+    paradt_locator *locator;
+    const paradt_triangulation *t;
+    paradt__meter meter;
+    uint32_t reported;
+    paradt__set given;   // the caller's points; then its vertices, as the caller has them in order
+    paradt_index *index; // [vertices] of each of these
+    paradt_index *representative;
+} paradt__locating;
+
+// Keeps those of the given points that are vertices.
+static paradt_status paradt__locating_pack(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    const paradt_triangulation *t = work->t;
+    paradt__set *given = &work->given;
+    size_t corners = (size_t)(t->dim + 1), i, kept = 0;
+    for (i = 0; i < t->point_count; i++) locator->position[i] = -1;
+    for (i = 0; i < t->cell_count * corners; i++) locator->position[t->cells[i]] = 0;
+    for (i = 0; i < t->point_count; i++) kept += locator->position[i] >= 0;
+    work->index = (paradt_index *)paradt__alloc(&locator->memory, kept, sizeof *work->index);
+    work->representative = (paradt_index *)paradt__alloc(&locator->memory, kept, sizeof *work->representative);
+    if (!work->index || !work->representative) return PARADT_ERROR_MEMORY;
+    kept = 0;
+    for (i = 0; i < t->point_count; i++) {
+        if (locator->position[i] < 0) continue;
+        if (kept < i)
+            paradt__copy_record(given->records + kept * given->width, given->records + i * given->width, given->width);
+        work->index[kept++] = (paradt_index)i;
+    }
+    given->count = kept;
+    return PARADT_OK;
+}
+
+// Sorts the vertices along the curve, and finds the position of each point.
+static paradt_status paradt__locating_sort(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    paradt__set *set = &locator->set;
+    const paradt__set *given = &work->given;
+    const paradt_index *stands = work->t->representative;
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->reported, 0.5);
+    paradt__team team = paradt__alone;
+    paradt_points points = paradt__packed_points(given->count, given->space.ambient, PARADT_F64);
+    paradt__source source;
+    paradt_status status;
+    size_t bad, i;
+    points.data = given->records;
+    points.stride = given->width * sizeof(double);
+    points.weights = given->space.weighted ? given->records + given->space.ambient : NULL;
+    source = paradt__source_of(&points);
+    source.weight_stride = points.stride;
+    team.progress = progress;
+    status = paradt__set_gather(set, &source, NULL, &team, &locator->memory, work->representative, &bad);
+    if (status) return status;
+    if (set->count < given->count) return PARADT_ERROR_INVALID; // two vertices are at one place
+    memcpy(set->axes, given->axes, sizeof set->axes);
+    for (i = 0; i < set->count; i++) {
+        set->origin[i] = work->index[set->origin[i]];
+        locator->position[set->origin[i]] = (paradt_index)i;
+    }
+    for (i = 0; i < locator->point_count && stands; i++) {
+        if (locator->position[i] < 0 && stands[i] >= 0 && (size_t)stands[i] < locator->point_count)
+            locator->position[i] = locator->position[stands[i]];
+    }
+    return PARADT_OK;
+}
+
+// Makes the scene: the mesh has the caller's indices so far.
+static paradt_status paradt__locating_scene(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    paradt__scene *scene = &locator->scene;
+    paradt__mesh *mesh = &scene->mesh;
+    const paradt__set *set = &locator->set;
+    size_t corners = (size_t)mesh->corners, i;
+    locator->cell_of = (paradt_index *)paradt__alloc_filled(&locator->memory, set->count, sizeof *locator->cell_of);
+    if (!locator->cell_of) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < mesh->count * corners; i++) {
+        if (mesh->vertices[i] >= 0) mesh->vertices[i] = locator->position[mesh->vertices[i]];
+    }
+    for (i = 0; i < work->t->cell_count * corners; i++)
+        locator->cell_of[mesh->vertices[i]] = (paradt_index)(i / corners);
+    scene->space = set->space;
+    scene->space.dim = work->t->dim;
+    paradt__space_widen(&scene->space);
+    if (work->t->dim > 0) paradt__space_end(&scene->space);
+    scene->records = set->records;
+    scene->width = set->width;
+    for (i = 0; i < set->count && scene->space.weighted; i++) {
+        double weight = set->records[i * set->width + (size_t)scene->space.ambient];
+        if (!i || weight < locator->least) locator->least = weight;
+    }
+    return PARADT_OK;
+}
+
+// Makes what searches start from.
+static paradt_status paradt__locating_help(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    const paradt__set *set = &locator->set;
+    const paradt__mesh *mesh = &locator->scene.mesh;
+    paradt__start_points points = {set->records, set->width, set->count, NULL};
+    paradt__relation cells;
+    paradt_status status =
+        paradt__starts_make(&locator->starts, &points, set->space.ambient, &locator->memory, &work->meter);
+    memset(&cells, 0, sizeof cells);
+    if (!status)
+        status = paradt__relation_of_cells(&cells, mesh->vertices, work->t->cell_count, mesh->corners, set->count,
+                                           &locator->memory);
+    if (!status)
+        status = paradt__relation_of_neighbors(&locator->neighbors, &cells, mesh->vertices, mesh->corners, set->count,
+                                               &locator->memory, &work->meter);
+    paradt__relation_free(&cells, &locator->memory);
+    return status;
+}
+
+// A triangulation of one point has no facets: the mesh has its cell without links.
+static paradt_status paradt__locating_point(paradt__locating *work) {
+    paradt__mesh *mesh = &work->locator->scene.mesh;
+    paradt_status status;
+    paradt__mesh_begin(mesh, 1, 0);
+    if (work->t->cell_count != 1 || (paradt__tag)work->t->cells[0] >= (paradt__tag)work->t->point_count)
+        return PARADT_ERROR_INVALID;
+    status = paradt__mesh_reserve(mesh, 1, 1, &work->locator->memory);
+    if (status) return status;
+    mesh->count = 1;
+    mesh->vertices[0] = work->t->cells[0];
+    mesh->links[0] = PARADT__HULL;
+    return PARADT_OK;
+}
+
+// Makes all of a locator of a triangulation that has cells.
+static paradt_status paradt__locating_make(paradt__locating *work, const paradt_points *points, int facets) {
+    paradt_locator *locator = work->locator;
+    paradt__memory *memory = &locator->memory;
+    size_t bad;
+    paradt_status status;
+    locator->position = (paradt_index *)paradt__alloc(memory, locator->point_count, sizeof *locator->position);
+    if (!locator->position) return PARADT_ERROR_MEMORY;
+    status = work->t->dim ? paradt__given_mesh(&locator->scene.mesh, work->t, facets, memory, &work->meter)
+                          : paradt__locating_point(work);
+    if (!status) status = paradt__given_set(&work->given, work->t, points, memory, &work->meter, &bad);
+    if (!status) status = paradt__locating_pack(work);
+    if (!status) status = paradt__locating_sort(work);
+    paradt__set_free(&work->given, memory);
+    paradt__release(memory, work->index);
+    paradt__release(memory, work->representative);
+    if (!status) status = paradt__locating_scene(work);
+    if (!status) status = paradt__locating_help(work);
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    return status;
+}
+
+// Returns whether the arguments of paradt_locator_create are wrong.
+static paradt_status paradt__locator_fault(const paradt_triangulation *t, const paradt_points *points,
+                                           const paradt_options *options) {
+    const char *text;
+    paradt_status status = paradt__check_arguments(points, options, &text);
+    if (status) return status;
+    if (!t || t->point_count != points->count || t->dim < -1 || t->dim > points->dim) return PARADT_ERROR_ARGUMENT;
+    if (options && options->flags & (PARADT_NO_NEIGHBORS | PARADT_FURTHEST_SITE)) return PARADT_ERROR_ARGUMENT;
+    if (t->cell_count && (t->dim < 0 || !t->cells || (t->dim > 0 && !t->neighbors))) return PARADT_ERROR_ARGUMENT;
+    return t->dim >= 0 && !t->cell_count ? PARADT_ERROR_INVALID : PARADT_OK;
+}
+
+PARADT_DEF paradt_status paradt_locator_create(paradt_locator **out, const paradt_triangulation *t,
+                                               const paradt_points *points, const paradt_options *options) {
+    paradt__locating work;
+    paradt__memory memory;
+    paradt_status status;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    *out = NULL;
+    status = paradt__locator_fault(t, points, options);
+    if (status) return status;
+    memset(&work, 0, sizeof work);
+    work.t = t;
+    paradt__meter_begin(&work.meter, options);
+    paradt__memory_begin(&memory, options);
+    work.locator = (paradt_locator *)paradt__alloc(&memory, 1, sizeof *work.locator);
+    if (!work.locator) return PARADT_ERROR_MEMORY;
+    memset(work.locator, 0, sizeof *work.locator);
+    work.locator->memory = memory;
+    work.locator->point_count = points->count;
+    work.locator->scene.space.dim = -1;
+    work.locator->set.space.ambient = work.locator->scene.space.ambient = points->dim;
+    if (t->cell_count) status = paradt__locating_make(&work, points, options && options->flags & PARADT_FACETS);
+    if (status) paradt__locator_release(work.locator);
+    else *out = work.locator;
+    return status;
+}
+
+PARADT_DEF void paradt_locator_free(paradt_locator *locator) {
+    if (locator) paradt__locator_release(locator);
+}
+
+// --- one query
+
+// Copies a place, its axes permuted as those of the records are, without negative zeros. Returns 0 if it is not finite.
+static int paradt__locator_take(const paradt_locator *locator, const double *x, double *to) {
+    int axis, finite = 1, ambient = locator->set.space.ambient;
+    for (axis = 0; axis < ambient; axis++) {
+        double y = x[locator->set.count ? locator->set.axes[axis] : axis];
+        finite &= paradt__is_finite(y);
+        to[axis] = paradt__from_ordered_bits(paradt__ordered_bits(y));
+    }
+    return finite;
+}
+
+// The vertex at which a search for a place begins. hint: the caller's index of one, or -1
+static paradt_index paradt__locator_start(const paradt_locator *locator, const double *x, paradt_index hint) {
+    size_t bucket;
+    if (hint >= 0 && (size_t)hint < locator->point_count && locator->position[hint] >= 0)
+        return locator->position[hint];
+    return paradt__starts_at(&locator->starts, x, &bucket);
+}
+
+static paradt_location paradt__locator_at(paradt__view *view, paradt_index *cell, const double *x) {
+    paradt_location location;
+    location.face = 0;
+    location.cell = paradt__place_in(view, *cell, x, &location.face);
+    if (location.cell >= 0) *cell = location.cell;
+    else location.cell = -1, location.face = 0;
+    return location;
+}
+
+PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, const double *x, paradt_index hint) {
+    paradt_location none = {-1, 0};
+    paradt__view view;
+    double own[PARADT_MAX_DIM];
+    paradt_index cell;
+    if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return none;
+    paradt__view_begin(&view, &locator->scene);
+    paradt__view_admit(&view, own);
+    cell = locator->cell_of[paradt__locator_start(locator, own, hint)];
+    return paradt__locator_at(&view, &cell, own);
+}
+
+// The nearest vertex to a place that has been taken over; its position
+static paradt_index paradt__locator_nearest(const paradt_locator *locator, paradt__view *view, const double *x,
+                                            paradt_index hint) {
+    paradt__view_begin(view, &locator->scene);
+    paradt__view_admit(view, x);
+    return paradt__descend(&view->scene, &locator->neighbors, x, paradt__locator_start(locator, x, hint));
+}
+
+PARADT_DEF paradt_index paradt_nearest_one(const paradt_locator *locator, const double *x, paradt_index hint) {
+    paradt__view view;
+    double own[PARADT_MAX_DIM];
+    if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return -1;
+    return locator->set.origin[paradt__locator_nearest(locator, &view, own, hint)];
+}
+
+PARADT_DEF paradt_status paradt_nearest_some(const paradt_locator *locator, const double *x, size_t count,
+                                             paradt_index *out, paradt_work *work) {
+    paradt__view view;
+    paradt__scratch *scratch;
+    double own[PARADT_MAX_DIM];
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (!locator || !x || !work || (count && !out)) return PARADT_ERROR_ARGUMENT;
+    for (i = 0; i < count; i++) out[i] = -1;
+    if (!paradt__locator_take(locator, x, own)) return PARADT_ERROR_NOT_FINITE;
+    if (locator->scene.space.dim < 0 || !count) return PARADT_OK;
+    scratch = paradt__scratch_of(work);
+    if (!scratch) return PARADT_ERROR_MEMORY;
+    i = (size_t)paradt__locator_nearest(locator, &view, own, -1);
+    status = paradt__first_some(scratch, &view.scene, &locator->neighbors, own, (paradt_index)i, count);
+    for (i = 0; i < scratch->found.count && !status; i++) out[i] = locator->set.origin[scratch->found.items[i]];
+    paradt__scratch_done(scratch, work);
+    return status;
+}
+
+// Hands out the first of the vertices that were found, in ascending order of their indices.
+static paradt_status paradt__locator_ascending(const paradt_locator *locator, paradt__scratch *scratch,
+                                               paradt_index *out, size_t capacity) {
+    size_t count = scratch->found.count, i;
+    if (count > scratch->sorted_capacity) {
+        void *sorted = scratch->sorted;
+        if (!paradt__grow(&scratch->memory, &sorted, 0, 4 * count, sizeof *scratch->sorted)) return PARADT_ERROR_MEMORY;
+        scratch->sorted = (paradt__keyed *)sorted;
+        scratch->sorted_capacity = 2 * count;
+    }
+    for (i = 0; i < count; i++) {
+        paradt_index index = locator->set.origin[scratch->found.items[i]];
+        scratch->sorted[i].key = (uint64_t)index;
+        scratch->sorted[i].item = index;
+    }
+    paradt__keyed_sort(scratch->sorted, scratch->sorted + scratch->sorted_capacity, count,
+                       paradt__bit_length(locator->point_count), 0);
+    for (i = 0; i < count && i < capacity; i++) out[i] = scratch->sorted[i].item;
+    return PARADT_OK;
+}
+
+PARADT_DEF paradt_status paradt_within(const paradt_locator *locator, const double *x, double radius, paradt_index *out,
+                                       size_t capacity, size_t *count, paradt_work *work) {
+    paradt__view view;
+    paradt__scratch *scratch;
+    double own[PARADT_MAX_DIM];
+    paradt_status status;
+    paradt_index vertex;
+    if (count) *count = 0;
+    if (!locator || !x || !work || !count || (capacity && !out)) return PARADT_ERROR_ARGUMENT;
+    if (!paradt__locator_take(locator, x, own) || radius != radius) return PARADT_ERROR_NOT_FINITE;
+    if (locator->scene.space.dim < 0 || radius < 0) return PARADT_OK;
+    scratch = paradt__scratch_of(work);
+    if (!scratch) return PARADT_ERROR_MEMORY;
+    vertex = paradt__locator_nearest(locator, &view, own, -1);
+    status = paradt__in_ball(scratch, &view.scene, &locator->neighbors, own, vertex, radius, locator->least);
+    if (!status) status = paradt__locator_ascending(locator, scratch, out, capacity);
+    if (!status) *count = scratch->found.count;
+    paradt__scratch_done(scratch, work);
+    return status;
+}
+
+// Lists the cells along a segment in scratch->found.
+static paradt_status paradt__locator_along(const paradt_locator *locator, paradt__scratch *scratch, const double *a,
+                                           const double *b) {
+    const paradt__space *space = &locator->scene.space;
+    paradt_index from = locator->cell_of[paradt__locator_start(locator, a, -1)];
+    paradt__view view;
+    paradt__view_begin(&view, &locator->scene);
+    if (space->dim < space->ambient) {
+        if (paradt__is_off_flat(&view, from, a) || paradt__is_off_flat(&view, from, b)) return PARADT_OK;
+        if (!space->dim) return paradt__list_append(&scratch->found, from, &scratch->memory);
+    }
+    paradt__view_extend(&view, a, b);
+    return paradt__along(&view, from, a, b, &scratch->found, &scratch->memory);
+}
+
+PARADT_DEF paradt_status paradt_along(const paradt_locator *locator, const double *a, const double *b,
+                                      paradt_index *out, size_t capacity, size_t *count, paradt_work *work) {
+    paradt__scratch *scratch;
+    double from[PARADT_MAX_DIM], to[PARADT_MAX_DIM];
+    paradt_status status;
+    size_t i;
+    if (count) *count = 0;
+    if (!locator || !a || !b || !work || !count || (capacity && !out)) return PARADT_ERROR_ARGUMENT;
+    if (!paradt__locator_take(locator, a, from) || !paradt__locator_take(locator, b, to))
+        return PARADT_ERROR_NOT_FINITE;
+    if (locator->scene.space.dim < 0) return PARADT_OK;
+    scratch = paradt__scratch_of(work);
+    if (!scratch) return PARADT_ERROR_MEMORY;
+    status = paradt__locator_along(locator, scratch, from, to);
+    for (i = 0; i < scratch->found.count && i < capacity && !status; i++) out[i] = scratch->found.items[i];
+    if (!status) *count = scratch->found.count;
+    paradt__scratch_done(scratch, work);
+    return status;
+}
+
+// --- many queries
+
+typedef struct paradt__asking {
+    const paradt_locator *locator;
+    const paradt__team *team;
+    paradt__set set;              // the queries, along the curve
+    paradt_index *representative; // [queries] the query that stands for each, where several are at one place
+    paradt_location *locations;   // [queries] what is wanted, or
+    paradt_index *vertices;       // [queries]
+} paradt__asking;
+
+enum { PARADT__ASK_PACE = 1 << 9 }; // queries between two looks at whether the call is cancelled
+
+// Answers the queries of a task, in their order along the curve.
+static void paradt__ask_task(void *context, size_t task) {
+    const paradt__asking *asking = (const paradt__asking *)context;
+    const paradt_locator *locator = asking->locator;
+    const paradt__set *set = &asking->set;
+    size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, bucket, last = SIZE_MAX;
+    paradt_index vertex = -1, cell = -1;
+    paradt__view view;
+    paradt__view_begin(&view, &locator->scene);
+    for (; i < end; i++) {
+        const double *x = set->records + i * set->width;
+        paradt_index start = paradt__starts_at(&locator->starts, x, &bucket);
+        if ((i - first) % PARADT__ASK_PACE == 0 &&
+            paradt__team_cancels(asking->team, task, (double)(i - first) / (double)(end - first)))
+            return;
+        paradt__view_admit(&view, x);
+        if (asking->locations) {
+            if (bucket != last) cell = locator->cell_of[start];
+            asking->locations[set->origin[i]] = paradt__locator_at(&view, &cell, x);
+        } else {
+            if (bucket != last) vertex = start;
+            vertex = paradt__descend(&view.scene, &locator->neighbors, x, vertex);
+            asking->vertices[set->origin[i]] = locator->set.origin[vertex];
+        }
+        last = bucket;
+    }
+}
+
+// Sorts the queries and answers them.
+static paradt_status paradt__ask_sorted(paradt__asking *asking, const paradt_points *queries,
+                                        const paradt_options *options, paradt__memory *memory, size_t *bad) {
+    paradt__meter meter;
+    uint32_t sorted = 0, asked = 0;
+    paradt__source source = paradt__source_of(queries);
+    paradt__team team;
+    paradt_status status;
+    size_t i;
+    paradt__meter_begin(&meter, options);
+    team = paradt__team_of(options, PARADT__MOST_TASKS, paradt__progress_of(&meter, &sorted, 0.3));
+    asking->team = &team;
+    asking->representative = (paradt_index *)paradt__alloc(memory, queries->count, sizeof *asking->representative);
+    if (!asking->representative) return PARADT_ERROR_MEMORY;
+    status = paradt__set_gather(&asking->set, &source, NULL, &team, memory, asking->representative, bad);
+    if (status) return status;
+    memcpy(asking->set.axes, asking->locator->set.axes, sizeof asking->set.axes);
+    paradt__set_permute(&asking->set);
+    team.progress = paradt__progress_of(&meter, &asked, 0.7);
+    paradt__team_run(&team, paradt__ask_task, asking);
+    if (paradt__team_cancelled(&team) || paradt__meter_cancels(&meter)) return PARADT_ERROR_CANCELLED;
+    for (i = 0; i < queries->count; i++) {
+        size_t from = (size_t)asking->representative[i];
+        if (asking->locations) asking->locations[i] = asking->locations[from];
+        else asking->vertices[i] = asking->vertices[from];
+    }
+    return PARADT_OK;
+}
+
+// Gives a query that is not finite, or one in a triangulation without cells, its answer.
+static void paradt__ask_none(const paradt__asking *asking, size_t query) {
+    if (asking->locations) {
+        asking->locations[query].cell = -1;
+        asking->locations[query].face = 0;
+    } else {
+        asking->vertices[query] = -1;
+    }
+}
+
+// Answers queries about a triangulation without cells.
+static paradt_status paradt__ask_empty(const paradt__asking *asking, const paradt_points *queries, size_t *bad) {
+    paradt__source source = paradt__source_of(queries);
+    double record[PARADT_MAX_DIM + 1];
+    size_t i;
+    for (i = 0; i < queries->count; i++) {
+        *bad = i;
+        if (paradt__read_record(&source, i, record) == 2047) return PARADT_ERROR_NOT_FINITE;
+        paradt__ask_none(asking, i);
+    }
+    return PARADT_OK;
+}
+
+static paradt_status paradt__ask(const paradt_locator *locator, const paradt_points *queries,
+                                 paradt_location *locations, paradt_index *vertices, const paradt_options *options) {
+    paradt__asking asking;
+    paradt_options given;
+    paradt_points places;
+    paradt__memory memory;
+    paradt_status status;
+    const char *text;
+    size_t bad = 0;
+    memset(&given, 0, sizeof given);
+    if (options) given = *options;
+    if (!locator || !queries) return PARADT_ERROR_ARGUMENT;
+    places = *queries;
+    places.weights = NULL;
+    status = paradt__check_arguments(&places, &given, &text);
+    if (status) return status;
+    if (places.dim != locator->scene.space.ambient || (places.count && !locations && !vertices))
+        return PARADT_ERROR_ARGUMENT;
+    if (!places.count) return PARADT_OK;
+    memset(&asking, 0, sizeof asking);
+    asking.locator = locator;
+    asking.locations = locations;
+    asking.vertices = vertices;
+    paradt__memory_begin(&memory, &given);
+    status = locator->scene.space.dim < 0 ? paradt__ask_empty(&asking, &places, &bad)
+                                          : paradt__ask_sorted(&asking, &places, &given, &memory, &bad);
+    if (status == PARADT_ERROR_NOT_FINITE) paradt__ask_none(&asking, bad);
+    paradt__release(&memory, asking.representative);
+    paradt__set_free(&asking.set, &memory);
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_locate(const paradt_locator *locator, const paradt_points *queries,
+                                       paradt_location *out, const paradt_options *options) {
+    return paradt__ask(locator, queries, out, NULL, options);
+}
+
+PARADT_DEF paradt_status paradt_nearest(const paradt_locator *locator, const paradt_points *queries, paradt_index *out,
+                                        const paradt_options *options) {
+    return paradt__ask(locator, queries, NULL, out, options);
+}
+#endif // PARADT_NO_LOCATOR
 
 #ifndef PARADT_NO_DYNAMIC
 // ---------------------------------------------------------------------------------------------------------------------

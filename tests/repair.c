@@ -156,6 +156,59 @@ static void wrong_arguments_leave_the_triangulation(void **state) {
     sample_free(&s);
 }
 
+// Returns the place of a vertex that only a neighbour of the first cell has: the neighbour that comes last.
+static size_t apex_of_a_later_neighbour(const paradt_triangulation *t, int facets) {
+    size_t corners = (size_t)t->dim + 1, last = 0, i, j;
+    for (i = 0; i < corners; i++) {
+        size_t other = t->neighbors[i] < 0 ? 0 : (size_t)t->neighbors[i] / (facets ? corners : 1);
+        last = other > last ? other : last;
+    }
+    for (i = last * corners;; i++) {
+        int shared = 0;
+        for (j = 0; j < corners; j++)
+            shared |= t->cells[j] == t->cells[i];
+        if (!shared)
+            return i;
+    }
+}
+
+// A vertex that is no point is found before its coordinates are asked for, in a cell that is yet to be looked at, too.
+static void vertices_that_are_no_points_are_invalid(void **state) {
+    static const paradt_index wrong[] = {1000000000, 500, -1, INT32_MIN};
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 500, 4);
+    paradt_points points = points_of(&s);
+    (void)state;
+    for (int facets = 0; facets < 2; facets++)
+        for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+            paradt_options options = {0};
+            options.flags = facets ? PARADT_FACETS : 0;
+            paradt_triangulation t = triangulation_of(&s, &options);
+            t.cells[apex_of_a_later_neighbour(&t, facets)] = wrong[i];
+            assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_INVALID);
+            assert_int_equal(t.dim, -1);
+            paradt_free(&t);
+        }
+    sample_free(&s);
+}
+
+// A link that is no cell's, however large.
+static void links_to_nowhere_are_invalid(void **state) {
+    static const paradt_index wrong[] = {2000000000, INT32_MAX, -2, INT32_MIN};
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, 500, 4);
+    paradt_points points = points_of(&s);
+    (void)state;
+    for (int facets = 0; facets < 2; facets++)
+        for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+            paradt_options options = {0};
+            options.flags = facets ? PARADT_FACETS : 0;
+            paradt_triangulation t = triangulation_of(&s, &options);
+            t.neighbors[3] = wrong[i];
+            assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_INVALID);
+            paradt_free(&t);
+        }
+    sample_free(&s);
+}
+
 // --- memory and cancelling
 
 typedef struct purse {
@@ -252,6 +305,8 @@ int main(void) {
         cmocka_unit_test(steps_follow_each_other),
         cmocka_unit_test(stats_tell_what_was_done),
         cmocka_unit_test(wrong_arguments_leave_the_triangulation),
+        cmocka_unit_test(vertices_that_are_no_points_are_invalid),
+        cmocka_unit_test(links_to_nowhere_are_invalid),
         cmocka_unit_test(any_allocation_may_fail),
         cmocka_unit_test(any_call_of_progress_may_cancel),
     };
