@@ -1435,7 +1435,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     scale and axes               104   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         694   cells, links, ghosts, free places; closing
+//     mesh                         695   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
 //     scene                        129   conflict test, walk, update
 //   search
@@ -1451,9 +1451,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    286   dig and star, in any dimension
-//     kept spheres                 508   conflict tests by one product, in space
-//     insertion in space           656   dig and star with kept spheres
+//     insertion                    296   dig and star, in any dimension
+//     kept spheres                 528   conflict tests by one product, in space
+//     insertion in space           657   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
 //     inserting                    211   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
@@ -1500,6 +1500,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
 //     locator                      521   the entry of queries
+//     holes of vertices            503   what fills the hole where a vertex goes
+//     state of a living set        648   columns, journal, hidden and coincident points
+//     changes of a living set      582   one point comes, goes or moves; the set anew
+//     living set                   583   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -4012,7 +4016,7 @@ static void paradt__curve_sort(const paradt__curve *curve, const double *records
 // origin[position] is the index. This section has the set itself and how one point is read; the set is made in the
 // sections >>reading, >>sorting and >>scale and axes.
 // Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
-// paradt__weight_size, paradt__read_record, paradt__coordinates, paradt__fetch_point.
+// paradt__weight_size, paradt__weight, paradt__read_record, paradt__coordinates, paradt__fetch_point.
 
 enum {
     PARADT__UNGRADED,
@@ -5455,7 +5459,8 @@ enum {
     PARADT__LISTED = 8,   // in the list of the fringe; not kept by all regions
     PARADT__DROPPED = 16, // not kept in the end; used by ranks
     PARADT__WRONG = 32,   // in the list of cells that are not of T(P)
-    PARADT__OUTSIDE = 64  // known not to be in conflict with the point that is being inserted
+    PARADT__OUTSIDE = 64, // known not to be in conflict with the point that is being inserted
+    PARADT__FRESH = 128   // made by the change of a living set that is going on
 };
 
 #ifdef PARADT_INDEX64
@@ -9152,9 +9157,17 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
 // Between two insertions `scene` is as >>scene says, no cell has the marks PARADT__CONFLICT and PARADT__OUTSIDE, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
 // Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
-// paradt__insertion_first_cells, paradt__cavity_star, paradt__cavity_clear, paradt__insert, paradt__insert_at.
+// paradt__insertion_first_cells, paradt__cavity_dig, paradt__cavity_star, paradt__cavity_clear, paradt__insert,
+// paradt__insert_at.
 
 struct paradt__kept; // see >>kept spheres
+struct paradt__insertion;
+
+// Is told of each cavity when it has been dug, before it is starred: update.killed and the rim are filled, and the mesh
+// is still as it was. It makes the room that starring takes, so that nothing fails afterwards, or says why not.
+typedef struct paradt__witness {
+    paradt_status (*dug)(struct paradt__witness *witness, struct paradt__insertion *build);
+} paradt__witness;
 
 // An insertion of points, from its first cells on
 typedef struct paradt__insertion {
@@ -9166,6 +9179,7 @@ typedef struct paradt__insertion {
     size_t later;              // number of points that may follow these; only for the capacity of the mesh
     double rate, rate_at;      // cells a point when the mesh last grew, and 1 + `inserted` then; 0: never
     paradt__relay *relay;      // says when the insertion pauses; NULL: it never does
+    paradt__witness *witness;  // is told of cavities; NULL: nobody is
     paradt__update update;     // what the last insertion did
     paradt_index *rim;         // [rim_capacity] the facets of the rim, as handles in the cavity's cells
     size_t rim_count, rim_capacity;
@@ -9373,6 +9387,7 @@ static paradt_status paradt__cavity_clear(paradt__insertion *build) {
 static paradt_status paradt__insert_at(paradt__insertion *build, paradt_index point, paradt_index cell) {
     const double *x = paradt__scene_record(&build->scene, point);
     paradt_status status = paradt__cavity_dig(build, cell, x);
+    if (!status && build->witness) status = build->witness->dug(build->witness, build);
     if (!status) status = paradt__cavity_star(build, point);
     return status ? status : paradt__cavity_clear(build);
 }
@@ -9478,9 +9493,9 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 //     6 * 8 h_x h_y h_z. So a power that is surely less than quantum / (64 h_x h_y h_z) in size is 0. A ghost's power
 //     never passes this test, for the ghost's error exceeds 2 H.
 //
-// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_sphere, paradt__kept_settle,
-// paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make, paradt__sphere_of_facet, paradt__sphere_power,
-// paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
+// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_forget, paradt__kept_drop, paradt__kept_more_numbers,
+// paradt__kept_sphere, paradt__kept_settle, paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make,
+// paradt__sphere_of_facet, paradt__sphere_power, paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
 
 // Slots of the table: eight a point up to MANY_SPHERES; for more points one for 5 of them (for 8 where the mesh is a
 // slice of the result) up to MOST_SPHERES. There is memory for LEAST_SPHERES at least, as a block of that size keeps
@@ -9888,6 +9903,7 @@ static void paradt__kept_grade(paradt__insertion *build) {
 static void paradt__kept_measure(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     int axis;
+    memset(&s->frame, 0, sizeof s->frame);
     for (axis = 0; axis < 3; axis++) {
         double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
         double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
@@ -9901,6 +9917,25 @@ static void paradt__kept_measure(paradt__insertion *build) {
     s->zero_below =
         build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
 }
+
+#ifndef PARADT_NO_DYNAMIC
+// Forgets all spheres and the vertices' numbers, and measures anew: after an error, or when the box has changed.
+static void paradt__kept_forget(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    size_t i;
+    for (i = 0; i <= s->mask; i++) s->table[i].tag = PARADT__NO_SPHERE;
+    memset(s->number, 0, s->numbers * sizeof *s->number);
+    s->next_number = PARADT__NUMBER_STEP;
+    s->evicted = 0;
+    paradt__kept_measure(build);
+}
+
+// Forgets the sphere of a cell, which is about to be replaced.
+PARADT__INLINE void paradt__kept_drop(paradt__kept *s, paradt_index cell) {
+    paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
+    if (sphere->tag == (paradt__tag)cell) sphere->tag = PARADT__NO_SPHERE;
+}
+#endif
 
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
 // build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
@@ -10542,6 +10577,7 @@ PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, p
     paradt_index first = paradt__kept_locate(build, &centred, x);
     paradt_status status = paradt__kept_dig(build, first, &centred, x, kernels);
     int is_common;
+    if (!PARADT__LIKELY(!build->witness) && !status) status = build->witness->dug(build->witness, build);
     if (status) return status;
     paradt__kept_look_ahead(build);
     paradt__kept_dug(build);
@@ -16916,8 +16952,8 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
 // >>triangulate
 //
 // The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
-// Doors: the public functions; paradt__packed_points, paradt__withdraw, paradt__options_fault; for ranks, too,
-// paradt__check_arguments, paradt__triangulate_region, paradt__flat_text.
+// Doors: the public functions; paradt__packed_points, paradt__withdraw, paradt__options_fault, paradt__begin_call,
+// paradt__load; for ranks, too, paradt__check_arguments, paradt__triangulate_region, paradt__flat_text.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
@@ -22349,6 +22385,2322 @@ PARADT_DEF paradt_status paradt_nearest(const paradt_locator *locator, const par
     return paradt__ask(locator, queries, NULL, out, options);
 }
 #endif // PARADT_NO_LOCATOR
+
+#ifndef PARADT_NO_DYNAMIC
+// ---------------------------------------------------------------------------------------------------------------------
+// >>holes of vertices
+//
+// What is left where a vertex v goes, and what fills it. The cells and ghosts around v are a hole, and the link of v is
+// its rim. Let Q be the vertices of the link, and with weights also the hidden points in the star. The hole is filled
+// with the cells and ghosts of T(Q) that are in conflict with v: a new cell of T(P \ v) is in conflict with v, as it
+// would vanish if v came back. What vanishes then is the cavity of v, whose rim is the link; so the cell's vertices are
+// on the link, or are hidden when v is there. As it is empty of P \ v it is empty of Q. The two cavities of v, in
+// T(P \ v) and in T(Q), have the same rim, and fill the same hole. A hidden point comes back only where the lifted
+// surface changes, which is above the star.
+//
+// Few points are wrapped (Chand and Kapur 1970; in the thesis InCoDe, for a hole): each open facet gets the point that
+// no other is in conflict with the cell of, until no facet is open. Of the points on the facet's open side it is the
+// one with which the sphere through the facet is emptiest; none is there: then the facet gets a ghost. Many points are
+// triangulated by insertion, and the cavity of v is dug there. If Q is flat, the filling has ghosts alone.
+//
+// Points have numbers here, 0 to Q's count - 1; a set of few of them is a mask, a bit for each.
+// Doors: paradt__filling_star, paradt__filling_cells, paradt__filling_is_flat, paradt__filling_make,
+// paradt__filling_free.
+
+enum {
+    PARADT__MOST_WRAPPED = 62, // points of holes that are wrapped
+    PARADT__INFINITE_BIT = 63  // of a mask, and the infinite vertex's number
+};
+
+// A facet of the hole whose inner side is not filled yet
+typedef struct paradt__opening {
+    uint64_t mask;                         // its vertices
+    paradt_index behind;                   // its mirror: a handle in the filling, or ~ a handle in the mesh
+    int closed;                            // it has been filled
+    int place;                             // in the row, of the vertex that it waits for
+    unsigned char row[PARADT_MAX_DIM + 1]; // numbers of the vertices, in the order of a positively oriented cell
+} paradt__opening;
+
+typedef struct paradt__filling {
+    paradt__list points;  // Q, positions: first the link's vertices
+    size_t link_count;    // number of these
+    size_t count;         // cells and ghosts that fill the hole
+    paradt__list rows;    // [count][corners] vertices
+    paradt__list links;   // [count][corners] handles in the filling, or ~ handles in the mesh
+    paradt__list numbers; // hash table of pairs: a position or a place, and its number
+    size_t numbers_mask;
+    paradt__opening *openings; // [opening_capacity] a stack
+    size_t opening_count, opening_capacity;
+    paradt__list table; // hash table of openings
+    size_t table_mask;
+    const double *record[PARADT__MOST_WRAPPED];
+} paradt__filling;
+
+static void paradt__filling_free(paradt__filling *f, paradt__memory *memory) {
+    paradt__list_free(&f->points, memory);
+    paradt__list_free(&f->rows, memory);
+    paradt__list_free(&f->links, memory);
+    paradt__list_free(&f->numbers, memory);
+    paradt__list_free(&f->table, memory);
+    paradt__release(memory, f->openings);
+}
+
+// --- the hole
+
+// Collects the cells and ghosts around a vertex of a cell: update.killed are their first handles, and build->rim their
+// facets opposite the vertex. No marks are left.
+static paradt_status paradt__filling_cells(paradt__insertion *build, paradt_index vertex, paradt_index cell) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    paradt_index corners = mesh->corners, i;
+    size_t head, more = (size_t)corners;
+    paradt_status status = paradt__list_room(&update->killed, 0, &update->killed_capacity, more, build->memory);
+    if (status) return status;
+    update->killed[0] = cell * corners;
+    update->killed_count = 1;
+    mesh->marks[cell] |= PARADT__CONFLICT;
+    build->rim_count = 0;
+    for (head = 0; head < update->killed_count && !status; head++) {
+        paradt_index base = update->killed[head];
+        status = paradt__list_room(&update->killed, update->killed_count, &update->killed_capacity,
+                                   update->killed_count + more, build->memory);
+        if (!status)
+            status = paradt__list_room(&build->rim, build->rim_count, &build->rim_capacity, build->rim_count + 1,
+                                       build->memory);
+        for (i = base; i < base + corners && !status; i++) {
+            paradt_index other = paradt__mesh_cell(mesh, mesh->links[i]);
+            if (mesh->vertices[i] == vertex) {
+                build->rim[build->rim_count++] = i;
+            } else if (paradt__mesh_mark(mesh, (size_t)other, PARADT__CONFLICT)) {
+                update->killed[update->killed_count++] = other * corners;
+                paradt__fetch_row(mesh->vertices, mesh->links, (size_t)other, more);
+            }
+        }
+    }
+    for (head = 0; head < update->killed_count; head++)
+        paradt__mesh_unmark(mesh, (size_t)paradt__mesh_cell(mesh, update->killed[head]), PARADT__CONFLICT);
+    return status;
+}
+
+// Empties the table of numbers and makes room for so many.
+static paradt_status paradt__filling_number_room(paradt__filling *f, size_t count, paradt__memory *memory) {
+    size_t slots = 16, i;
+    paradt_status status;
+    while (slots < 2 * count) slots *= 2;
+    status = paradt__list_room(&f->numbers.items, 0, &f->numbers.capacity, 2 * slots, memory);
+    if (status) return status;
+    f->numbers_mask = slots - 1;
+    for (i = 0; i < slots; i++) f->numbers.items[2 * i] = PARADT__OPEN;
+    return PARADT_OK;
+}
+
+// Returns the pair of a position or a place in the table of numbers. If it is not there, its key is PARADT__OPEN.
+PARADT__INLINE paradt_index *paradt__filling_pair(const paradt__filling *f, paradt_index key) {
+    size_t at = (size_t)((uint32_t)key * 0x9E3779B1u >> 8) & f->numbers_mask;
+    while (f->numbers.items[2 * at] != key && f->numbers.items[2 * at] != PARADT__OPEN) at = (at + 1) & f->numbers_mask;
+    return f->numbers.items + 2 * at;
+}
+
+// Collects the hole of a vertex: its cells and ghosts, its rim, and the vertices of the link.
+static paradt_status paradt__filling_star(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+                                          paradt_index cell) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    paradt_index corners = mesh->corners, i;
+    size_t most, at;
+    paradt_status status = paradt__filling_cells(build, vertex, cell);
+    if (status) return status;
+    most = build->update.killed_count + (size_t)corners; // as a cell has at most one vertex that cells before lack
+    status = paradt__filling_number_room(f, most, build->memory);
+    if (!status) status = paradt__list_room(&f->points.items, 0, &f->points.capacity, most, build->memory);
+    if (status) return status;
+    f->points.count = 0;
+    for (at = 0; at < build->update.killed_count; at++) {
+        const paradt_index *row = mesh->vertices + build->update.killed[at];
+        for (i = 0; i < corners; i++) {
+            paradt_index *pair;
+            if (row[i] == vertex || row[i] < 0) continue;
+            pair = paradt__filling_pair(f, row[i]);
+            if (*pair == row[i]) continue;
+            PARADT_ASSERT(f->points.count < most);
+            pair[0] = row[i];
+            pair[1] = (paradt_index)f->points.count;
+            f->points.items[f->points.count++] = row[i];
+            PARADT__PREFETCH(paradt__scene_record(&build->scene, row[i]));
+        }
+    }
+    f->link_count = f->points.count;
+    return PARADT_OK;
+}
+
+// Makes a set of Q, with v as one more record behind it. set: zeroed; its records and origin are the caller's to free
+static paradt_status paradt__filling_set(const paradt__filling *f, const paradt__insertion *build, paradt_index vertex,
+                                         paradt__set *set) {
+    const paradt__scene *scene = &build->scene;
+    size_t i;
+    set->width = scene->width;
+    set->count = f->points.count + 1;
+    set->records = (double *)paradt__alloc(build->memory, set->count, set->width * sizeof(double));
+    if (!set->records) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < set->count; i++)
+        paradt__copy_record(set->records + i * set->width,
+                            paradt__scene_record(scene, i + 1 < set->count ? f->points.items[i] : vertex), set->width);
+    set->space.ambient = scene->space.ambient;
+    set->space.weighted = scene->space.weighted;
+    paradt__set_measure(set, &paradt__alone, scene->space.dim);
+    set->count--;
+    return PARADT_OK;
+}
+
+// Do the points of a set not span their dimension?
+static int paradt__filling_set_is_flat(paradt__set *set) {
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    return paradt__set_basis(set, NULL, 0, basis, NULL, &set->space.counters, NULL) <= set->space.dim;
+}
+
+// Is Q flat? *flat is filled.
+static paradt_status paradt__filling_is_flat(const paradt__filling *f, const paradt__insertion *build,
+                                             paradt_index vertex, int *flat) {
+    paradt__set set;
+    paradt_status status;
+    memset(&set, 0, sizeof set);
+    status = paradt__filling_set(f, build, vertex, &set);
+    if (!status) *flat = paradt__filling_set_is_flat(&set);
+    paradt__set_free(&set, build->memory);
+    return status;
+}
+
+// Makes room for so many cells of the filling.
+PARADT__INLINE paradt_status paradt__filling_room(paradt__filling *f, size_t count, size_t corners,
+                                                  paradt__memory *memory) {
+    size_t used = f->count * corners;
+    paradt_status status = paradt__list_room(&f->rows.items, used, &f->rows.capacity, count * corners, memory);
+    return status ? status : paradt__list_room(&f->links.items, used, &f->links.capacity, count * corners, memory);
+}
+
+// --- few points
+
+PARADT__INLINE size_t paradt__opening_slot(const paradt__filling *f, uint64_t mask) {
+    return (size_t)((mask * UINT64_C(0x9e3779b97f4a7c15)) >> 32) & f->table_mask;
+}
+
+// Enters an opening into the table, which has room.
+PARADT__INLINE void paradt__opening_enter(const paradt__filling *f, size_t opening) {
+    size_t at = paradt__opening_slot(f, f->openings[opening].mask);
+    while (f->table.items[at] >= 0) at = (at + 1) & f->table_mask;
+    f->table.items[at] = (paradt_index)opening;
+}
+
+// Returns the opening that has a mask, or NULL. Every facet opens once and closes once, so that nothing leaves the
+// table.
+PARADT__INLINE paradt__opening *paradt__opening_find(const paradt__filling *f, uint64_t mask) {
+    size_t at = paradt__opening_slot(f, mask);
+    for (; f->table.items[at] >= 0; at = (at + 1) & f->table_mask) {
+        if (f->openings[f->table.items[at]].mask == mask) return f->openings + f->table.items[at];
+    }
+    return NULL;
+}
+
+// Makes the table anew, with at least four slots an opening.
+static paradt_status paradt__opening_table(paradt__filling *f, size_t count, paradt__memory *memory) {
+    size_t slots = 64, i;
+    paradt_status status;
+    while (slots < 4 * count) slots *= 2;
+    status = paradt__list_room(&f->table.items, 0, &f->table.capacity, slots, memory);
+    if (status) return status;
+    f->table_mask = slots - 1;
+    for (i = 0; i < slots; i++) f->table.items[i] = PARADT__OPEN;
+    for (i = 0; i < f->opening_count; i++) paradt__opening_enter(f, i);
+    return PARADT_OK;
+}
+
+// Makes room for some more openings. The table is at most half full.
+PARADT__INLINE paradt_status paradt__opening_room(paradt__filling *f, size_t more, paradt__memory *memory) {
+    size_t count = f->opening_count + more;
+    if (!PARADT__LIKELY(count <= f->opening_capacity)) {
+        void *openings = f->openings;
+        if (!paradt__grow(memory, &openings, f->opening_count, 2 * count, sizeof *f->openings))
+            return PARADT_ERROR_MEMORY;
+        f->openings = (paradt__opening *)openings;
+        f->opening_capacity = 2 * count;
+    }
+    return PARADT__LIKELY(2 * count <= f->table_mask) ? PARADT_OK : paradt__opening_table(f, count, memory);
+}
+
+// Opens the facets of the rim.
+static paradt_status paradt__wrap_begin(paradt__filling *f, const paradt__insertion *build) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    size_t i;
+    int corners = mesh->corners, j;
+    paradt_status status;
+    f->count = f->opening_count = 0;
+    for (i = 0; i < f->points.count; i++) f->record[i] = paradt__scene_record(&build->scene, f->points.items[i]);
+    status = paradt__opening_table(f, 2 * build->rim_count, build->memory);
+    if (!status) status = paradt__opening_room(f, build->rim_count, build->memory);
+    for (i = 0; i < build->rim_count && !status; i++) {
+        paradt__opening *o = f->openings + f->opening_count;
+        paradt_index handle = build->rim[i];
+        const paradt_index *row = mesh->vertices + build->update.killed[i];
+        o->place = (int)(handle - build->update.killed[i]);
+        o->behind = ~mesh->links[handle];
+        o->closed = 0;
+        o->mask = 0;
+        for (j = 0; j < corners; j++) {
+            o->row[j] = PARADT__INFINITE_BIT;
+            if (j == o->place) continue;
+            if (row[j] >= 0) o->row[j] = (unsigned char)paradt__filling_pair(f, row[j])[1];
+            o->mask |= (uint64_t)1 << o->row[j];
+        }
+        paradt__opening_enter(f, f->opening_count++);
+    }
+    return status;
+}
+
+// Returns the number of the point that makes a cell with an open facet: of the points on its open side the one with
+// which no other is in conflict; or PARADT__INFINITE_BIT if none is there. A point in conflict with the cell of another
+// is on the open side, too, as the facet is one of T(Q).
+static int paradt__wrap_apex(const paradt__filling *f, paradt__scene *scene, const paradt__opening *o) {
+    const double *p[PARADT_MAX_DIM + 2];
+    int corners = scene->mesh.corners, count = (int)f->points.count, best = PARADT__INFINITE_BIT, i;
+    for (i = 0; i < corners; i++) p[i] = i == o->place ? NULL : f->record[o->row[i]];
+    for (i = 0; i < count; i++) {
+        if (o->mask >> i & 1) continue;
+        if (best == PARADT__INFINITE_BIT) {
+            p[o->place] = f->record[i];
+            if (paradt__orient(&scene->space, p) > 0) best = i;
+            continue;
+        }
+        p[corners] = f->record[i];
+        if (!paradt__conflict(&scene->space, p)) continue;
+        best = i;
+        p[o->place] = f->record[i];
+    }
+    return best;
+}
+
+// Ties a facet of a new cell of the filling to its mirror if this is open, or opens it. handle: of the facet; mask: its
+// vertices; row: of the cell
+PARADT__INLINE void paradt__wrap_tie(paradt__filling *f, paradt_index handle, uint64_t mask, const unsigned char *row,
+                                     int opposite, int corners) {
+    paradt__opening *o = paradt__opening_find(f, mask);
+    int i, first = -1;
+    if (o) {
+        PARADT_ASSERT(!o->closed);
+        f->links.items[handle] = o->behind;
+        if (o->behind >= 0) f->links.items[o->behind] = handle;
+        o->closed = 1;
+        return;
+    }
+    o = f->openings + f->opening_count;
+    o->mask = mask;
+    o->behind = handle;
+    o->closed = 0;
+    o->place = opposite;
+    for (i = 0; i < corners; i++) o->row[i] = row[i];
+    if (corners == 2) { // on a line the open side is told by the place
+        o->row[opposite] = row[1 - opposite];
+        o->place = 1 - opposite;
+    }
+    for (i = 0; i < corners && corners > 2; i++) { // from the other side, two vertices are exchanged
+        unsigned char swap = row[i];
+        if (i == opposite) continue;
+        if (first < 0) {
+            first = i;
+            continue;
+        }
+        o->row[i] = row[first];
+        o->row[first] = swap;
+        break;
+    }
+    paradt__opening_enter(f, f->opening_count++);
+}
+
+// Makes the cell or ghost of an open facet and a point.
+static paradt_status paradt__wrap_cell(paradt__filling *f, size_t opening, int apex, int corners,
+                                       paradt__memory *memory) {
+    unsigned char row[PARADT_MAX_DIM + 1];
+    uint64_t mask = f->openings[opening].mask | (uint64_t)1 << apex;
+    paradt_index base = (paradt_index)f->count * corners;
+    int i, place = f->openings[opening].place;
+    paradt_status status = paradt__filling_room(f, f->count + 1, (size_t)corners, memory);
+    if (!status) status = paradt__opening_room(f, (size_t)corners, memory);
+    if (status) return status;
+    f->count++;
+    memcpy(row, f->openings[opening].row, sizeof row);
+    row[place] = (unsigned char)apex;
+    for (i = 0; i < corners; i++) {
+        f->rows.items[base + i] =
+            row[i] == PARADT__INFINITE_BIT ? (paradt_index)PARADT__INFINITE : f->points.items[row[i]];
+        paradt__wrap_tie(f, base + i, mask & ~((uint64_t)1 << row[i]), row, i, corners);
+    }
+    return PARADT_OK;
+}
+
+// Fills the hole by wrapping. Facets with the infinite vertex wait until the cells on both sides are there: each ghost
+// stands on a finite facet, which gets it.
+static paradt_status paradt__wrap(paradt__filling *f, paradt__insertion *build) {
+    paradt__scene *scene = &build->scene;
+    size_t at;
+    paradt_status status = paradt__wrap_begin(f, build);
+    for (at = 0; at < f->opening_count && !status; at++) {
+        if (f->openings[at].closed || f->openings[at].mask >> PARADT__INFINITE_BIT) continue;
+        status =
+            paradt__wrap_cell(f, at, paradt__wrap_apex(f, scene, f->openings + at), scene->mesh.corners, build->memory);
+    }
+    for (at = 0; at < f->opening_count && !status; at++) PARADT_ASSERT(f->openings[at].closed);
+    return status;
+}
+
+// --- many points
+
+// Fills the hole with ghosts alone, one on each finite facet of the rim. Two neighbours around v become two neighbours;
+// where one of them is a ghost, its neighbour beyond the rim takes its place.
+static paradt_status paradt__fill_with_ghosts(paradt__filling *f, const paradt__insertion *build) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    paradt_index corners = mesh->corners, i;
+    size_t count = build->update.killed_count, at;
+    paradt_status status = paradt__filling_number_room(f, count, build->memory);
+    f->count = 0;
+    if (!status) status = paradt__filling_room(f, count, (size_t)corners, build->memory);
+    if (status) return status;
+    for (at = 0; at < count; at++) {
+        paradt_index place = build->update.killed[at] / corners, *pair = paradt__filling_pair(f, place);
+        int finite = paradt__is_finite_cell(paradt__mesh_row(mesh, place), corners);
+        pair[0] = place;
+        pair[1] = finite ? (paradt_index)f->count++ * corners : ~mesh->links[build->rim[at]];
+    }
+    for (at = 0; at < count; at++) {
+        paradt_index base = build->update.killed[at], to = paradt__filling_pair(f, base / corners)[1];
+        if (to < 0) continue;
+        for (i = 0; i < corners; i++) {
+            paradt_index mirror = mesh->links[base + i];
+            f->rows.items[to + i] = mesh->vertices[base + i];
+            if (base + i == build->rim[at]) {
+                f->rows.items[to + i] = PARADT__INFINITE;
+                f->links.items[to + i] = ~mirror;
+            } else {
+                paradt_index other = paradt__filling_pair(f, mirror / corners)[1];
+                f->links.items[to + i] = other < 0 ? other : other + mirror % corners;
+            }
+        }
+    }
+    return PARADT_OK;
+}
+
+// Takes over the cavity that was dug in T(Q) as the filling. rim: a table of the facets beyond the hole's rim
+static paradt_status paradt__fill_from(paradt__filling *f, const paradt__insertion *build, const paradt__insertion *dug,
+                                       const paradt__facets *rim) {
+    const paradt__mesh *from = &dug->scene.mesh;
+    const int corners = from->corners;
+    paradt_index i;
+    size_t at, count = dug->update.killed_count;
+    paradt__mesh filled; // only its rows
+    paradt_status status = paradt__filling_number_room(f, count, build->memory);
+    f->count = 0;
+    if (!status) status = paradt__filling_room(f, count, (size_t)corners, build->memory);
+    if (status) return status;
+    memset(&filled, 0, sizeof filled);
+    filled.corners = corners;
+    filled.vertices = f->rows.items;
+    f->count = count;
+    for (at = 0; at < count; at++) {
+        paradt_index place = dug->update.killed[at] / corners, *pair = paradt__filling_pair(f, place);
+        pair[0] = place;
+        pair[1] = (paradt_index)at * corners;
+    }
+    for (at = 0; at < count; at++) {
+        paradt_index base = dug->update.killed[at] - dug->update.killed[at] % corners, to = (paradt_index)at * corners;
+        for (i = 0; i < corners; i++) {
+            paradt_index vertex = from->vertices[base + i];
+            f->rows.items[to + i] = vertex < 0 ? vertex : f->points.items[vertex];
+        }
+        for (i = 0; i < corners; i++) {
+            paradt_index mirror = from->links[base + i];
+            if (from->marks[mirror / corners] & PARADT__CONFLICT) {
+                f->links.items[to + i] = paradt__filling_pair(f, mirror / corners)[1] + mirror % corners;
+            } else {
+                paradt__facet_key key = paradt__facet_key_of(rim, &filled, to + i);
+                paradt_index outer =
+                    paradt__facets_find(rim, &build->scene.mesh, key, filled.vertices, to + i, corners);
+                PARADT_ASSERT(outer >= 0);
+                f->links.items[to + i] = ~outer;
+            }
+        }
+    }
+    return PARADT_OK;
+}
+
+// Digs the cavity of v in T(Q), whose mesh is made.
+static paradt_status paradt__fill_dig(paradt__filling *f, const paradt__insertion *build, paradt__insertion *dug) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    const double *x = dug->scene.records + f->points.count * dug->scene.width;
+    paradt__facets rim;
+    size_t at;
+    paradt_status status = paradt__list_room(&dug->update.killed, 0, &dug->update.killed_capacity, 64, build->memory);
+    if (!status) status = paradt__cavity_dig(dug, paradt__walk(&dug->scene, dug->scene.hint, x), x);
+    if (status) return status;
+    status = paradt__facets_begin(&rim, 0, 1, build->memory);
+    if (!status) status = paradt__facets_room(&rim, build->rim_count, build->memory);
+    for (at = 0; at < build->rim_count && !status; at++) {
+        paradt_index outer = mesh->links[build->rim[at]];
+        paradt__facet_key key = paradt__facet_key_of(&rim, mesh, outer);
+        paradt__facets_match(&rim, mesh, paradt__facets_chain(&rim, key), key, outer, mesh->corners);
+    }
+    PARADT_ASSERT(status || rim.count == dug->rim_count);
+    if (!status) status = paradt__fill_from(f, build, dug, &rim);
+    paradt__facets_free(&rim, build->memory);
+    return status;
+}
+
+// Fills the hole by a triangulation of Q.
+static paradt_status paradt__fill_by_insertion(paradt__filling *f, const paradt__insertion *build,
+                                               paradt_index vertex) {
+    paradt__memory *memory = build->memory;
+    paradt__set set;
+    paradt__insertion dug;
+    paradt__progress silent;
+    paradt_index *order = NULL;
+    paradt_status status;
+    int flat = 0;
+    memset(&set, 0, sizeof set);
+    memset(&dug, 0, sizeof dug);
+    memset(&silent, 0, sizeof silent);
+    dug.memory = memory;
+    status = paradt__filling_set(f, build, vertex, &set);
+    if (!status) flat = paradt__filling_set_is_flat(&set);
+    if (!status && flat) status = paradt__fill_with_ghosts(f, build);
+    if (!status && !flat) {
+        order = paradt__late_order(&set, memory);
+        status = order ? PARADT_OK : PARADT_ERROR_MEMORY;
+        if (!status) {
+            paradt__insertion_begin(&dug, &set, order, memory);
+            status = paradt__insertion_run(&dug, &silent);
+            paradt__insertion_rest(&dug);
+        }
+        if (!status) status = paradt__fill_dig(f, build, &dug);
+    }
+    paradt__insertion_end(&dug);
+    paradt__release(memory, order);
+    paradt__set_free(&set, memory);
+    return status;
+}
+
+// Makes the filling of the hole of a vertex, which has been collected; the mesh is left as it is.
+static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
+    if (f->points.count > PARADT__MOST_WRAPPED) return paradt__fill_by_insertion(f, build, vertex);
+    return paradt__wrap(f, build);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>state of a living set
+//
+// What a living set keeps, and how changes of it are undone.
+//
+// All points at one place are one vertex, whose number is a position: its record is records + position * width, as
+// everywhere; column PARADT__OWNER names the point that stands for the place. Positions are along the curve when the
+// set is created, so that neighbours are close in memory; later ones are where there is room. Indices about ids,
+// positions and places of cells stand in columns, so that one journal serves all of them. The points at a place make a
+// pairing heap (Fredman, Sedgewick, Sleator and Tarjan, Algorithmica 1, 1986) whose root stands for the place: with
+// weights the heaviest, of these the one with the smallest id.
+//
+// A hidden point hangs on a cell that it is in. When cells die their hidden points are walked to the cells that come
+// instead, or have become vertices. Hidden places are found by a hash of their coordinates, others by the walk.
+//
+// A change begins with paradt__living_begin, and ends with paradt__living_publish or paradt__living_undo. In between,
+// paradt__living_prepare is told of each hole before it is filled, and paradt__living_settle afterwards. The journal
+// has the rows of cells that were there when the change began, each once, links between two such cells that were cut,
+// and what was in columns and records. A cell made by the change has the mark PARADT__FRESH.
+//
+// The box of the space is that of all points that ever were, and more: a point outside doubles it on that side, so that
+// it is seldom measured anew.
+// Doors: paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__mesh_has.
+
+enum {
+    // by id
+    PARADT__POSITION, // of the place; ~ the next free id where the id is free
+    PARADT__CHILD,    // the heap of the points at a place: the first of those below,
+    PARADT__SIBLING,  // the next with the same one above,
+    PARADT__BEFORE,   // the one before, or for a first child the one above. PARADT__NOWHERE: none
+    // by position
+    PARADT__OWNER,       // the id that stands for the place; ~ the next free position where the position is free
+    PARADT__CELL,        // a cell or ghost that has the vertex; of a hidden place the cell that it hangs on
+    PARADT__NEXT_HIDDEN, // on the same cell; negative: none
+    PARADT__LAST_HIDDEN, // the one before, or ~ the cell for the first; PARADT__NOWHERE: the place is a vertex
+    PARADT__NEXT_ALIKE,  // hidden place with the same hash; PARADT__OPEN: none
+    // by place of a cell
+    PARADT__HUNG, // its first hidden place; PARADT__OPEN: none
+    // by hash
+    PARADT__ALIKE, // the first hidden place with the hash; PARADT__OPEN: none
+    PARADT__COLUMNS,
+    PARADT__ID_COLUMNS = PARADT__OWNER,
+    PARADT__POSITION_COLUMNS = PARADT__HUNG
+};
+
+typedef struct paradt__tally {
+    size_t ids, positions;               // numbers that are in use or free
+    paradt_index free_id, free_position; // the first free ones; PARADT__NOWHERE: none
+    size_t points, vertices, hidden;     // points; places that are vertices; places that are hidden
+    size_t cells;                        // without ghosts
+    size_t places;                       // of the mesh, when the change began
+} paradt__tally;
+
+struct paradt_dynamic {
+    paradt__witness witness; // first: insertions tell it of cavities
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    paradt__insertion build; // scene, kept spheres; without a mesh where dim < 1
+    paradt__filling filling;
+    int ambient, weighted;
+    int dim;                  // of the points; -1: there are none
+    int axes[PARADT_MAX_DIM]; // the caller's axis that each coordinate of a record is along
+    int straight;             // these are the caller's axes in their order
+    double *records;          // [positions][width]
+    double *plain;            // [positions][ambient] coordinates along the caller's axes; NULL where straight
+    double *weights;          // [ids] NULL: none
+    size_t id_room, position_room, hung_room, alike_mask;
+    paradt_index *column[PARADT__COLUMNS]; // NULL: not needed
+    paradt__tally now, before;
+    // the journal
+    paradt__list killed;  // a place and its rows of vertices and links
+    paradt__list torn;    // a link and what it was
+    paradt__list made;    // places
+    paradt__list log;     // a column, an index and what was there
+    paradt__list written; // positions whose records are in old_records, or ~ ids whose weights are
+    double *old_records;
+    size_t old_room;
+    // of the hole that is being filled
+    paradt__list loose;    // hidden places whose cells died
+    paradt__list suspects; // vertices of cells that died: with weights they may be hidden now
+    // what paradt_dynamic_get_update gives
+    paradt__list killed_numbers, killed_vertices;
+    int dim_before, rebuilt;
+    // the last call
+    size_t error_point;
+    const char *error_text;
+};
+
+// --- memory
+
+// Makes room for more elements in one array of a column. New ones are `fill`.
+static paradt_status paradt__living_grow_column(paradt_dynamic *d, int column, size_t used, size_t room,
+                                                paradt_index fill) {
+    void *array = d->column[column];
+    size_t i;
+    if (!paradt__grow(&d->memory, &array, used, room, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+    d->column[column] = (paradt_index *)array;
+    for (i = used; i < room; i++) d->column[column][i] = fill;
+    return PARADT_OK;
+}
+
+static int paradt__living_has(const paradt_dynamic *d, int column) {
+    if (column == PARADT__CHILD || column == PARADT__SIBLING || column == PARADT__BEFORE)
+        return d->column[column] != NULL;
+    return column == PARADT__POSITION || column == PARADT__OWNER || column == PARADT__CELL || d->weighted;
+}
+
+// Makes room for so many ids.
+static paradt_status paradt__living_id_room(paradt_dynamic *d, size_t count) {
+    size_t room = d->id_room + d->id_room / 4 + 16;
+    void *weights = d->weights;
+    paradt_status status = PARADT_OK;
+    int column;
+    if (count <= d->id_room) return PARADT_OK;
+    if (count > (size_t)PARADT__NOWHERE / 2) return PARADT_ERROR_TOO_LARGE;
+    if (room < count) room = count;
+    for (column = 0; column < PARADT__ID_COLUMNS && !status; column++) {
+        if (paradt__living_has(d, column))
+            status = paradt__living_grow_column(d, column, d->id_room, room, PARADT__NOWHERE);
+    }
+    if (status) return status;
+    if (d->weighted) {
+        if (!paradt__grow(&d->memory, &weights, d->weights ? d->id_room : 0, room, sizeof *d->weights))
+            return PARADT_ERROR_MEMORY;
+        d->weights = (double *)weights;
+    }
+    d->id_room = room;
+    return PARADT_OK;
+}
+
+// Makes room for so many positions.
+static paradt_status paradt__living_position_room(paradt_dynamic *d, size_t count) {
+    size_t room = d->position_room + d->position_room / 4 + 16, width = d->build.scene.width * sizeof(double);
+    void *records = d->records, *plain = d->plain;
+    paradt_status status = PARADT_OK;
+    int column;
+    if (count <= d->position_room) return PARADT_OK;
+    if (room < count) room = count;
+    for (column = PARADT__OWNER; column < PARADT__POSITION_COLUMNS && !status; column++) {
+        if (paradt__living_has(d, column))
+            status = paradt__living_grow_column(d, column, d->position_room, room, PARADT__NOWHERE);
+    }
+    if (status) return status;
+    if (!paradt__grow(&d->memory, &records, d->now.positions, room, width)) return PARADT_ERROR_MEMORY;
+    d->records = (double *)records;
+    d->build.scene.records = d->records;
+    if (!d->straight) {
+        if (!paradt__grow(&d->memory, &plain, d->now.positions, room, (size_t)d->ambient * sizeof(double)))
+            return PARADT_ERROR_MEMORY;
+        d->plain = (double *)plain;
+    }
+    d->position_room = room;
+    return PARADT_OK;
+}
+
+// Makes the columns of the heap, once there are points at one place.
+static paradt_status paradt__living_heap_room(paradt_dynamic *d) {
+    int column;
+    for (column = PARADT__BEFORE; column >= PARADT__CHILD; column--) { // the first column tells that all are there
+        if (d->column[column]) continue;
+        if (paradt__living_grow_column(d, column, 0, d->id_room, PARADT__NOWHERE)) return PARADT_ERROR_MEMORY;
+    }
+    return PARADT_OK;
+}
+
+static void paradt__living_free(paradt_dynamic *d) {
+    paradt__memory *memory = &d->memory;
+    int column;
+    paradt__insertion_end(&d->build);
+    paradt__filling_free(&d->filling, memory);
+    for (column = 0; column < PARADT__COLUMNS; column++) paradt__release(memory, d->column[column]);
+    paradt__release(memory, d->records);
+    paradt__release(memory, d->plain);
+    paradt__release(memory, d->weights);
+    paradt__release(memory, d->old_records);
+    paradt__list_free(&d->killed, memory);
+    paradt__list_free(&d->torn, memory);
+    paradt__list_free(&d->made, memory);
+    paradt__list_free(&d->log, memory);
+    paradt__list_free(&d->written, memory);
+    paradt__list_free(&d->loose, memory);
+    paradt__list_free(&d->suspects, memory);
+    paradt__list_free(&d->killed_numbers, memory);
+    paradt__list_free(&d->killed_vertices, memory);
+}
+
+// --- columns, with a journal
+
+// Makes room in a list for so many more items.
+PARADT__INLINE paradt_status paradt__list_more(paradt__list *list, size_t more, paradt__memory *memory) {
+    return paradt__list_room(&list->items, list->count, &list->capacity, list->count + more, memory);
+}
+
+// Makes room in the log for so many more changes of columns.
+PARADT__INLINE paradt_status paradt__living_log_room(paradt_dynamic *d, size_t more) {
+    return paradt__list_more(&d->log, 3 * more, &d->memory);
+}
+
+PARADT__INLINE paradt_index paradt__living_get(const paradt_dynamic *d, int column, paradt_index index) {
+    return d->column[column][index];
+}
+
+PARADT__INLINE void paradt__living_set(paradt_dynamic *d, int column, paradt_index index, paradt_index value) {
+    paradt_index *entry = d->log.items + d->log.count;
+    PARADT_ASSERT(d->log.count + 3 <= d->log.capacity);
+    entry[0] = column;
+    entry[1] = index;
+    entry[2] = d->column[column][index];
+    d->log.count += 3;
+    d->column[column][index] = value;
+}
+
+PARADT__INLINE const double *paradt__living_record(const paradt_dynamic *d, paradt_index position) {
+    return d->records + (size_t)position * d->build.scene.width;
+}
+
+// Writes the record of a position; what was there goes into the journal, which has room.
+static void paradt__living_write(paradt_dynamic *d, paradt_index position, const double *record) {
+    size_t width = d->build.scene.width;
+    double *to = d->records + (size_t)position * width;
+    int j;
+    PARADT_ASSERT(d->written.count < d->written.capacity && d->written.count < d->old_room);
+    memcpy(d->old_records + d->written.count * width, to, width * sizeof *to);
+    d->written.items[d->written.count++] = position;
+    memcpy(to, record, width * sizeof *to);
+    for (j = 0; j < d->ambient && d->plain; j++) d->plain[position * (paradt_index)d->ambient + d->axes[j]] = record[j];
+}
+
+// Makes room in the journal for one more record.
+static paradt_status paradt__living_write_room(paradt_dynamic *d) {
+    void *records = d->old_records;
+    paradt_status status = paradt__list_more(&d->written, 1, &d->memory);
+    if (status || d->written.count < d->old_room) return status;
+    if (!paradt__grow(&d->memory, &records, d->written.count, 2 * d->old_room + 8,
+                      d->build.scene.width * sizeof(double)))
+        return PARADT_ERROR_MEMORY;
+    d->old_records = (double *)records;
+    d->old_room = 2 * d->old_room + 8;
+    return PARADT_OK;
+}
+
+// --- ids and positions
+
+static paradt_index paradt__living_take_id(paradt_dynamic *d) {
+    paradt_index id = d->now.free_id;
+    if (id == PARADT__NOWHERE) return (paradt_index)d->now.ids++;
+    d->now.free_id = ~paradt__living_get(d, PARADT__POSITION, id);
+    return id;
+}
+
+static void paradt__living_give_id(paradt_dynamic *d, paradt_index id) {
+    paradt__living_set(d, PARADT__POSITION, id, ~d->now.free_id);
+    d->now.free_id = id;
+}
+
+static paradt_index paradt__living_take_position(paradt_dynamic *d) {
+    paradt_index position = d->now.free_position;
+    if (position == PARADT__NOWHERE) return (paradt_index)d->now.positions++;
+    d->now.free_position = ~paradt__living_get(d, PARADT__OWNER, position);
+    return position;
+}
+
+static void paradt__living_give_position(paradt_dynamic *d, paradt_index position) {
+    paradt__living_set(d, PARADT__OWNER, position, ~d->now.free_position);
+    d->now.free_position = position;
+}
+
+// --- points at one place
+
+// Does the first of two points stand for both?
+PARADT__INLINE int paradt__living_leads(const paradt_dynamic *d, paradt_index a, paradt_index b) {
+    if (d->weighted) {
+        int64_t x = paradt__ordered_bits(d->weights[a]), y = paradt__ordered_bits(d->weights[b]);
+        if (x != y) return x > y;
+    }
+    return a < b;
+}
+
+enum { PARADT__HEAP_CHANGES = 6 }; // of columns, that joining two heaps takes
+
+// Joins two heaps. Returns the root.
+static paradt_index paradt__heap_join(paradt_dynamic *d, paradt_index a, paradt_index b) {
+    paradt_index root = paradt__living_leads(d, a, b) ? a : b, below = root == a ? b : a;
+    paradt_index next = paradt__living_get(d, PARADT__CHILD, root);
+    paradt__living_set(d, PARADT__SIBLING, below, next);
+    if (next != PARADT__NOWHERE) paradt__living_set(d, PARADT__BEFORE, next, below);
+    paradt__living_set(d, PARADT__BEFORE, below, root);
+    paradt__living_set(d, PARADT__CHILD, root, below);
+    return root;
+}
+
+// Makes room in the log for taking a point out of its heap.
+static paradt_status paradt__heap_leave_room(paradt_dynamic *d, paradt_index id) {
+    size_t count = 2;
+    paradt_index child = paradt__living_get(d, PARADT__CHILD, id);
+    for (; child != PARADT__NOWHERE; child = paradt__living_get(d, PARADT__SIBLING, child)) count++;
+    return paradt__living_log_room(d, 2 * count * PARADT__HEAP_CHANGES);
+}
+
+// Joins the heaps below a point: in pairs, then all pairs. Returns the root, or PARADT__NOWHERE.
+static paradt_index paradt__heap_below(paradt_dynamic *d, paradt_index id) {
+    paradt_index a = paradt__living_get(d, PARADT__CHILD, id), pairs = PARADT__NOWHERE, root = PARADT__NOWHERE, next;
+    for (; a != PARADT__NOWHERE; a = next) {
+        paradt_index b = paradt__living_get(d, PARADT__SIBLING, a), pair = a;
+        next = b;
+        if (b != PARADT__NOWHERE) {
+            next = paradt__living_get(d, PARADT__SIBLING, b);
+            pair = paradt__heap_join(d, a, b);
+        }
+        paradt__living_set(d, PARADT__SIBLING, pair, pairs);
+        pairs = pair;
+    }
+    for (a = pairs; a != PARADT__NOWHERE; a = next) {
+        next = paradt__living_get(d, PARADT__SIBLING, a);
+        root = root == PARADT__NOWHERE ? a : paradt__heap_join(d, root, a);
+    }
+    if (root != PARADT__NOWHERE) {
+        paradt__living_set(d, PARADT__SIBLING, root, PARADT__NOWHERE);
+        paradt__living_set(d, PARADT__BEFORE, root, PARADT__NOWHERE);
+    }
+    return root;
+}
+
+// Takes a point out of the heap of a root; there is room in the log. Returns the new root, or PARADT__NOWHERE.
+static paradt_index paradt__heap_leave(paradt_dynamic *d, paradt_index root, paradt_index id) {
+    paradt_index below = paradt__heap_below(d, id);
+    if (id != root) {
+        paradt_index before = paradt__living_get(d, PARADT__BEFORE, id),
+                     next = paradt__living_get(d, PARADT__SIBLING, id);
+        int first = paradt__living_get(d, PARADT__CHILD, before) == id;
+        paradt__living_set(d, first ? PARADT__CHILD : PARADT__SIBLING, before, next);
+        if (next != PARADT__NOWHERE) paradt__living_set(d, PARADT__BEFORE, next, before);
+        below = below == PARADT__NOWHERE ? root : paradt__heap_join(d, root, below);
+    }
+    paradt__living_set(d, PARADT__CHILD, id, PARADT__NOWHERE);
+    paradt__living_set(d, PARADT__SIBLING, id, PARADT__NOWHERE);
+    paradt__living_set(d, PARADT__BEFORE, id, PARADT__NOWHERE);
+    return below;
+}
+
+// --- hidden places
+
+static paradt_index *paradt__alike_head(const paradt_dynamic *d, const double *record) {
+    return d->column[PARADT__ALIKE] + ((size_t)paradt__hash_coordinates(record, d->ambient) & d->alike_mask);
+}
+
+static void paradt__alike_enter(paradt_dynamic *d, paradt_index position) {
+    paradt_index *head = paradt__alike_head(d, paradt__living_record(d, position));
+    d->column[PARADT__NEXT_ALIKE][position] = *head;
+    *head = position;
+}
+
+static void paradt__alike_leave(paradt_dynamic *d, paradt_index position) {
+    paradt_index *from = paradt__alike_head(d, paradt__living_record(d, position));
+    while (*from != position) from = d->column[PARADT__NEXT_ALIKE] + *from;
+    *from = d->column[PARADT__NEXT_ALIKE][position];
+}
+
+// Returns the hidden place with these coordinates, or PARADT__NOWHERE.
+static paradt_index paradt__alike_find(const paradt_dynamic *d, const double *record) {
+    paradt_index at;
+    if (!d->now.hidden) return PARADT__NOWHERE;
+    for (at = *paradt__alike_head(d, record); at >= 0; at = d->column[PARADT__NEXT_ALIKE][at])
+        if (!paradt__compare(&d->build.scene.space, paradt__living_record(d, at), record)) return at;
+    return PARADT__NOWHERE;
+}
+
+static int paradt__living_is_hidden(const paradt_dynamic *d, paradt_index position) {
+    return d->weighted && d->column[PARADT__LAST_HIDDEN][position] != PARADT__NOWHERE;
+}
+
+// Enters all hidden places into the table anew; it has been cleared.
+static void paradt__alike_enter_all(paradt_dynamic *d) {
+    size_t i;
+    for (i = 0; i < d->now.positions; i++) {
+        if (d->column[PARADT__OWNER][i] >= 0 && paradt__living_is_hidden(d, (paradt_index)i))
+            paradt__alike_enter(d, (paradt_index)i);
+    }
+}
+
+// Makes the table so large that the hidden places, and some more, have a head each.
+static paradt_status paradt__alike_room(paradt_dynamic *d) {
+    size_t heads = 64, i;
+    paradt_index *table;
+    if (!d->weighted || (d->column[PARADT__ALIKE] && d->now.hidden <= d->alike_mask)) return PARADT_OK;
+    while (heads < 2 * d->now.hidden) heads *= 2;
+    table = (paradt_index *)paradt__alloc(&d->memory, heads, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    paradt__release(&d->memory, d->column[PARADT__ALIKE]);
+    for (i = 0; i < heads; i++) table[i] = PARADT__OPEN;
+    d->column[PARADT__ALIKE] = table;
+    d->alike_mask = heads - 1;
+    paradt__alike_enter_all(d);
+    return PARADT_OK;
+}
+
+// Hangs a hidden place on a cell.
+static void paradt__living_hang(paradt_dynamic *d, paradt_index position, paradt_index cell) {
+    paradt_index first = paradt__living_get(d, PARADT__HUNG, cell);
+    paradt__living_set(d, PARADT__CELL, position, cell);
+    paradt__living_set(d, PARADT__NEXT_HIDDEN, position, first);
+    if (first >= 0) paradt__living_set(d, PARADT__LAST_HIDDEN, first, position);
+    paradt__living_set(d, PARADT__LAST_HIDDEN, position, ~cell);
+    paradt__living_set(d, PARADT__HUNG, cell, position);
+}
+
+static void paradt__living_unhang(paradt_dynamic *d, paradt_index position) {
+    paradt_index before = paradt__living_get(d, PARADT__LAST_HIDDEN, position);
+    paradt_index next = paradt__living_get(d, PARADT__NEXT_HIDDEN, position);
+    if (before < 0) paradt__living_set(d, PARADT__HUNG, ~before, next);
+    else paradt__living_set(d, PARADT__NEXT_HIDDEN, before, next);
+    if (next >= 0) paradt__living_set(d, PARADT__LAST_HIDDEN, next, before);
+    paradt__living_set(d, PARADT__LAST_HIDDEN, position, PARADT__NOWHERE);
+    d->now.hidden--;
+    paradt__alike_leave(d, position);
+}
+
+// Does the cell or ghost at a place have a vertex?
+PARADT__INLINE int paradt__mesh_has(const paradt__mesh *mesh, paradt_index place, paradt_index vertex) {
+    const paradt_index *row = mesh->vertices + place * mesh->corners;
+    int i, has = 0;
+    for (i = 0; i < mesh->corners; i++) has |= row[i] == vertex;
+    return has && row[0] != PARADT__DEAD;
+}
+
+// --- changes of the mesh
+
+// Makes room for all that replacing the cells of a hole takes. made: number of new cells
+static paradt_status paradt__living_mesh_room(paradt_dynamic *d, size_t made) {
+    paradt__insertion *build = &d->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    size_t killed = build->update.killed_count, corners = (size_t)mesh->corners;
+    paradt_status status = PARADT_OK;
+    if (mesh->count + made > mesh->capacity)
+        status = paradt__mesh_reserve(mesh, mesh->count + made, mesh->capacity + mesh->capacity / 4 + 64, &d->memory);
+    if (!status) status = paradt__insertion_room(build, made);
+    if (!status) status = paradt__mesh_spare_room(mesh, killed, &d->memory);
+    if (!status) status = paradt__list_room(&build->update.made, 0, &build->update.made_capacity, made + 8, &d->memory);
+    if (!status) status = paradt__list_more(&d->made, made, &d->memory);
+    if (!status) status = paradt__list_more(&d->killed, killed * (1 + 2 * corners), &d->memory);
+    if (!status) status = paradt__list_more(&d->torn, 2 * build->rim_count, &d->memory);
+    if (!status) status = paradt__list_more(&d->killed_numbers, killed, &d->memory);
+    if (!status) status = paradt__list_more(&d->killed_vertices, killed * corners, &d->memory);
+    if (!status && d->weighted && mesh->capacity > d->hung_room) {
+        status = paradt__living_grow_column(d, PARADT__HUNG, d->hung_room, mesh->capacity, PARADT__OPEN);
+        if (!status) d->hung_room = mesh->capacity;
+    }
+    return status;
+}
+
+// Collects the hidden places and the vertices of a cell that is about to die.
+static paradt_status paradt__living_loosen(paradt_dynamic *d, paradt_index place) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index hidden = paradt__living_get(d, PARADT__HUNG, place), i;
+    size_t count = 0;
+    paradt_status status = paradt__list_more(&d->suspects, (size_t)mesh->corners, &d->memory);
+    for (; hidden >= 0 && !status; hidden = paradt__living_get(d, PARADT__NEXT_HIDDEN, hidden), count++)
+        status = paradt__list_append(&d->loose, hidden, &d->memory);
+    if (!status) status = paradt__living_log_room(d, count + 1);
+    if (status) return status;
+    for (i = 0; i < mesh->corners; i++) {
+        paradt_index vertex = mesh->vertices[place * mesh->corners + i];
+        if (vertex >= 0) d->suspects.items[d->suspects.count++] = vertex;
+    }
+    for (; count; count--) { // the journal gets their cells: new cells overwrite these where they become vertices
+        hidden = d->loose.items[d->loose.count - count];
+        paradt__living_set(d, PARADT__CELL, hidden, place);
+    }
+    paradt__living_set(d, PARADT__HUNG, place, PARADT__OPEN);
+    return PARADT_OK;
+}
+
+// Is told of a hole, whose cells and rim build->update.killed and build->rim are: makes room for what replaces them,
+// and enters them into the journal. Nothing fails between this and paradt__living_settle.
+static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
+    const paradt__insertion *build = &d->build;
+    paradt__mesh *mesh = &d->build.scene.mesh;
+    const paradt_index *owner = d->column[PARADT__OWNER];
+    paradt_index corners = mesh->corners;
+    size_t i, j, row = (size_t)corners;
+    paradt_status status = paradt__living_mesh_room(d, made);
+    d->loose.count = d->suspects.count = 0;
+    for (i = 0; i < build->update.killed_count && d->weighted && !status; i++)
+        status = paradt__living_loosen(d, paradt__mesh_cell(mesh, build->update.killed[i]));
+    if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
+    if (status) return status;
+    for (i = 0; i < build->rim_count; i++) {
+        paradt_index inner = build->rim[i], outer = mesh->links[inner];
+        paradt_index *torn = d->torn.items + d->torn.count;
+        torn[0] = outer;
+        torn[1] = inner;
+        d->torn.count +=
+            (mesh->marks[paradt__mesh_cell(mesh, inner)] | mesh->marks[paradt__mesh_cell(mesh, outer)]) & PARADT__FRESH
+                ? 0
+                : 2;
+    }
+    for (i = 0; i < build->update.killed_count; i++) {
+        paradt_index place = paradt__mesh_cell(mesh, build->update.killed[i]), *to = d->killed.items + d->killed.count;
+        int finite = paradt__is_finite_cell(mesh->vertices + place * corners, corners);
+        d->now.cells -= (size_t)finite;
+        if (mesh->marks[place] & PARADT__FRESH) {
+            paradt__mesh_unmark(mesh, (size_t)place, PARADT__FRESH);
+            continue;
+        }
+        to[0] = place;
+        memcpy(to + 1, mesh->vertices + place * corners, row * sizeof *to);
+        memcpy(to + 1 + corners, mesh->links + place * corners, row * sizeof *to);
+        d->killed.count += 1 + 2 * row;
+        if (!finite) continue;
+        d->killed_numbers.items[d->killed_numbers.count++] = place;
+        for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = owner[to[j]];
+    }
+    return PARADT_OK;
+}
+
+static paradt_status paradt__living_dug(paradt__witness *witness, paradt__insertion *build) {
+    return paradt__living_prepare((paradt_dynamic *)(void *)witness, build->rim_count);
+}
+
+// Finds out which places are hidden now. gone: a position that is no vertex any more, or PARADT__NOWHERE; start: where
+// walks start
+static void paradt__living_settle_hidden(paradt_dynamic *d, paradt_index gone, paradt_index start) {
+    paradt__scene *scene = &d->build.scene;
+    size_t i;
+    for (i = 0; i < d->suspects.count; i++) {
+        paradt_index vertex = d->suspects.items[i];
+        if (vertex == gone || paradt__living_is_hidden(d, vertex) ||
+            paradt__mesh_has(&scene->mesh, paradt__living_get(d, PARADT__CELL, vertex), vertex))
+            continue;
+        start = paradt__walk(scene, start, paradt__living_record(d, vertex));
+        paradt__living_hang(d, vertex, start);
+        paradt__alike_enter(d, vertex);
+        d->now.vertices--;
+        d->now.hidden++;
+    }
+    for (i = 0; i < d->loose.count; i++) {
+        paradt_index hidden = d->loose.items[i];
+        if (paradt__mesh_has(&scene->mesh, paradt__living_get(d, PARADT__CELL, hidden), hidden)) {
+            paradt__living_set(d, PARADT__LAST_HIDDEN, hidden, PARADT__NOWHERE);
+            paradt__alike_leave(d, hidden);
+            d->now.vertices++;
+            d->now.hidden--;
+        } else {
+            start = paradt__walk(scene, start, paradt__living_record(d, hidden));
+            paradt__living_hang(d, hidden, start);
+        }
+    }
+}
+
+// After a hole has been filled: marks the new cells, and finds out what has become of vertices and hidden places.
+static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
+    const paradt__update *update = &d->build.update;
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index corners = mesh->corners, *cell = d->column[PARADT__CELL], i;
+    size_t at;
+    for (at = 0; at < update->made_count; at++) {
+        paradt_index place = paradt__mesh_cell(mesh, update->made[at]);
+        const paradt_index *row = mesh->vertices + place * corners;
+        mesh->marks[place] |= PARADT__FRESH;
+        d->made.items[d->made.count++] = place;
+        d->now.cells += (size_t)paradt__is_finite_cell(row, corners);
+        for (i = 0; i < corners; i++) {
+            if (row[i] >= 0) cell[row[i]] = place;
+        }
+    }
+    if (d->weighted) paradt__living_settle_hidden(d, gone, paradt__mesh_cell(mesh, update->made[0]));
+}
+
+// --- the beginning and the end of a change
+
+static void paradt__living_begin(paradt_dynamic *d) {
+    d->now.places = d->build.scene.mesh.count;
+    d->before = d->now;
+    d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
+    d->killed_numbers.count = d->killed_vertices.count = 0;
+    d->dim_before = d->dim;
+    d->rebuilt = 0;
+}
+
+// Makes the journal what paradt_dynamic_get_update gives.
+static void paradt__living_publish(paradt_dynamic *d) {
+    paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t corners = (size_t)mesh->corners, at, made = 0;
+    for (at = 0; at < d->made.count; at++) {
+        size_t place = (size_t)d->made.items[at];
+        if (!(mesh->marks[place] & PARADT__FRESH)) continue;
+        paradt__mesh_unmark(mesh, place, PARADT__FRESH);
+        if (paradt__is_finite_cell(mesh->vertices + place * corners, mesh->corners))
+            d->made.items[made++] = (paradt_index)place;
+    }
+    d->made.count = made;
+}
+
+// Puts the mesh back to what it was.
+static void paradt__living_undo_mesh(paradt_dynamic *d) {
+    paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t corners = (size_t)mesh->corners, row = corners * sizeof(paradt_index), at, i;
+    for (at = 0; at < d->made.count; at++) mesh->vertices[(size_t)d->made.items[at] * corners] = PARADT__DEAD;
+    for (at = 0; at < d->killed.count; at += 1 + 2 * corners) {
+        const paradt_index *saved = d->killed.items + at;
+        memcpy(mesh->vertices + (size_t)saved[0] * corners, saved + 1, row);
+        memcpy(mesh->links + (size_t)saved[0] * corners, saved + 1 + corners, row);
+        for (i = 0; i < corners; i++) {
+            if (saved[1 + i] >= 0) d->column[PARADT__CELL][saved[1 + i]] = saved[0];
+        }
+    }
+    for (at = d->torn.count; at; at -= 2) mesh->links[d->torn.items[at - 2]] = d->torn.items[at - 1];
+    mesh->count = d->before.places;
+    mesh->spare_count = 0;
+    for (i = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * corners] == PARADT__DEAD) mesh->spare[mesh->spare_count++] = (paradt_index)i;
+        else d->build.scene.hint = (paradt_index)i;
+    }
+    memset(mesh->marks, 0, mesh->capacity);
+    if (d->build.kept) {
+        paradt__kept_forget(&d->build);
+        d->build.kept->start = d->build.scene.hint;
+    }
+}
+
+// Undoes a change, after an error. Takes linear time.
+static void paradt__living_undo(paradt_dynamic *d) {
+    size_t width = d->build.scene.width, at, i;
+    int j;
+    for (at = d->log.count; at; at -= 3) {
+        const paradt_index *entry = d->log.items + at - 3;
+        d->column[entry[0]][entry[1]] = entry[2];
+    }
+    for (at = d->written.count; at; at--) {
+        paradt_index position = d->written.items[at - 1];
+        const double *old = d->old_records + (at - 1) * width;
+        if (position < 0) d->weights[~position] = *old;
+        if (position < 0) continue;
+        memcpy(d->records + (size_t)position * width, old, width * sizeof *old);
+        for (j = 0; j < d->ambient && d->plain; j++)
+            d->plain[position * (paradt_index)d->ambient + d->axes[j]] = old[j];
+    }
+    if (d->dim > 0) paradt__living_undo_mesh(d);
+    d->now = d->before;
+    if (d->column[PARADT__ALIKE]) {
+        for (i = 0; i <= d->alike_mask; i++) d->column[PARADT__ALIKE][i] = PARADT__OPEN;
+        paradt__alike_enter_all(d);
+    }
+    d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
+    d->killed_numbers.count = d->killed_vertices.count = 0;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>changes of a living set
+//
+// Inserting, removing and moving one point, within a change that may be more; and making a set anew.
+//
+// A step that would change the dimension of the points says PARADT__GAVE_UP: then the change is undone, and the set is
+// made anew, by the way of paradt_triangulate. That takes as long as creating the set. The dimension falls where a
+// point is removed off the flat that all others are in. Then all finite cells have this vertex: so only where they do
+// are the others looked at, and these are Q of >>holes of vertices.
+// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_make.
+
+// --- the space
+
+// Makes the box hold x along an axis: doubles it on that side, or more.
+static void paradt__living_stretch(paradt__space *space, int axis, double x) {
+    double low = paradt__from_ordered_bits(space->low[axis]), high = paradt__from_ordered_bits(space->high[axis]);
+    double side = high - low, to = x < low ? low - side : high + side;
+    if (!paradt__is_finite(to) || (x < low ? x < to : x > to)) to = x;
+    if (x < low) space->low[axis] = paradt__ordered_bits(to);
+    else space->high[axis] = paradt__ordered_bits(to);
+}
+
+// Measures a new point's record. What depends on the measures follows them.
+static void paradt__living_measure(paradt_dynamic *d, const double *record) {
+    paradt__space *space = &d->build.scene.space;
+    paradt__range coordinates = space->coordinates, weights = space->weights;
+    int axis, outside = 0;
+    for (axis = 0; axis < d->ambient; axis++) {
+        int64_t bits = paradt__ordered_bits(record[axis]);
+        paradt__measure(&coordinates, record[axis]);
+        if (PARADT__LIKELY((bits >= space->low[axis]) & (bits <= space->high[axis]))) continue;
+        paradt__living_stretch(space, axis, record[axis]);
+        outside = 1;
+    }
+    if (d->weighted) paradt__measure(&weights, record[d->ambient]);
+    if (PARADT__LIKELY(!outside && !memcmp(&coordinates, &space->coordinates, sizeof coordinates) &&
+                       !memcmp(&weights, &space->weights, sizeof weights)))
+        return;
+    space->coordinates = coordinates;
+    space->weights = weights;
+    paradt__space_end(space);
+    if (!d->build.kept) return;
+    if (space->filtered) {
+        paradt__kept_forget(&d->build);
+    } else {
+        paradt__insertion_rest(&d->build);
+    }
+}
+
+// Is a point outside of the flat that the points are in?
+static int paradt__living_leaves_flat(paradt_dynamic *d, const double *record) {
+    paradt__scene *scene = &d->build.scene;
+    size_t cell = (size_t)paradt__insertion_start(&d->build);
+    const double *points[PARADT_MAX_DIM + 1];
+    int axes[PARADT_MAX_DIM], i, behind;
+    paradt__mesh_behind_ghost(&scene->mesh, (size_t)scene->mesh.corners, &cell, &behind);
+    for (i = 0; i <= d->dim; i++)
+        points[i] = paradt__scene_record(scene, scene->mesh.vertices[cell * (size_t)scene->mesh.corners + (size_t)i]);
+    for (i = 0; i < d->dim; i++) axes[i] = i;
+    for (i = d->dim; i < d->ambient; i++) {
+        axes[d->dim] = i;
+        if (paradt__extends(&scene->space.counters, d->dim, points, axes, record)) return 1;
+    }
+    return 0;
+}
+
+// --- vertices of the mesh
+
+// Makes walks begin at a cell.
+static void paradt__living_start_at(paradt_dynamic *d, paradt_index cell) {
+    d->build.scene.hint = cell;
+    if (d->build.kept) d->build.kept->start = cell;
+}
+
+// Returns the vertex of a cell that is at a place, or PARADT__NOWHERE.
+static paradt_index paradt__living_vertex_at(const paradt_dynamic *d, paradt_index cell, const double *record) {
+    const paradt__scene *scene = &d->build.scene;
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++) {
+        if (row[i] >= 0 && !paradt__compare(&scene->space, paradt__scene_record(scene, row[i]), record)) return row[i];
+    }
+    return PARADT__NOWHERE;
+}
+
+// Makes a place a vertex, or hidden. cell: that it is in, or a ghost beyond whose facet it is
+static paradt_status paradt__living_enter(paradt_dynamic *d, paradt_index position, paradt_index cell) {
+    paradt__insertion *build = &d->build;
+    paradt_status status;
+    if (d->weighted) {
+        status = paradt__living_log_room(d, 6);
+        if (status) return status;
+        if (!paradt__conflicts(&build->scene, cell, paradt__living_record(d, position))) {
+            paradt__living_hang(d, position, cell);
+            paradt__alike_enter(d, position);
+            d->now.hidden++;
+            return PARADT_OK;
+        }
+        paradt__living_set(d, PARADT__LAST_HIDDEN, position, PARADT__NOWHERE);
+    }
+    build->count = ++d->now.vertices;
+    status = build->kept ? paradt__insert_one_more(build, position, cell) : paradt__insert_at(build, position, cell);
+    if (status) return status;
+    paradt__living_settle(d, PARADT__NOWHERE);
+    return PARADT_OK;
+}
+
+// Puts the cells of the filling where the hole was.
+static void paradt__living_fill(paradt_dynamic *d) {
+    paradt__insertion *build = &d->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    const paradt__filling *f = &d->filling;
+    paradt_index corners = mesh->corners, i;
+    size_t killed = update->killed_count, at;
+    for (at = 0; at < killed && build->kept; at++)
+        paradt__kept_drop(build->kept, paradt__mesh_cell(mesh, update->killed[at]));
+    for (at = 0; at < f->count; at++)
+        update->made[at] = at < killed ? update->killed[at] : paradt__mesh_take(mesh) * corners;
+    update->made_count = f->count;
+    for (at = f->count; at < killed; at++)
+        paradt__mesh_give(mesh, paradt__mesh_cell(mesh, update->killed[at]), (size_t)corners);
+    for (at = 0; at < f->count; at++) {
+        paradt_index base = update->made[at], from = (paradt_index)at * corners;
+        memcpy(mesh->vertices + base, f->rows.items + from, (size_t)corners * sizeof(paradt_index));
+        for (i = 0; i < corners; i++) {
+            paradt_index link = f->links.items[from + i];
+            if (link < 0) paradt__mesh_tie(mesh, base + i, ~link);
+            else mesh->links[base + i] = update->made[link / corners] + link % corners;
+        }
+    }
+    PARADT__VERIFY_SMALL(mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
+}
+
+// Takes a vertex out of the mesh.
+static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index position) {
+    paradt__insertion *build = &d->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__filling *f = &d->filling;
+    size_t finite = 0, at;
+    int flat = 0;
+    paradt_status status = paradt__filling_star(f, build, position, paradt__living_get(d, PARADT__CELL, position));
+    for (at = 0; at < build->update.killed_count && !status; at++) {
+        paradt_index place = paradt__mesh_cell(mesh, build->update.killed[at]), hidden;
+        finite += (size_t)paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners);
+        hidden = d->weighted ? paradt__living_get(d, PARADT__HUNG, place) : PARADT__OPEN;
+        for (; hidden >= 0 && !status; hidden = paradt__living_get(d, PARADT__NEXT_HIDDEN, hidden))
+            status = paradt__list_append(&f->points, hidden, &d->memory);
+    }
+    if (!status && finite == d->now.cells) status = paradt__filling_is_flat(f, build, position, &flat);
+    if (!status && flat) status = PARADT__GAVE_UP;
+    if (!status) status = paradt__filling_make(f, build, position);
+    if (!status) status = paradt__living_prepare(d, f->count);
+    if (status) return status;
+    paradt__living_fill(d);
+    d->now.vertices--;
+    paradt__living_settle(d, position);
+    paradt__living_start_at(d, paradt__mesh_cell(mesh, build->update.made[0]));
+    return PARADT_OK;
+}
+
+// Takes a place out: it is no vertex then, nor hidden. What it is needs room in the log.
+static paradt_status paradt__living_withdraw(paradt_dynamic *d, paradt_index position) {
+    paradt_status status;
+    if (!paradt__living_is_hidden(d, position)) return paradt__living_dissolve(d, position);
+    status = paradt__living_log_room(d, 4);
+    if (status) return status;
+    paradt__living_start_at(d, paradt__living_get(d, PARADT__CELL, position));
+    paradt__living_unhang(d, position);
+    return PARADT_OK;
+}
+
+// Gives a place another weight.
+static paradt_status paradt__living_reweigh(paradt_dynamic *d, paradt_index position, double weight) {
+    double record[PARADT_MAX_DIM + 2];
+    paradt__scene *scene = &d->build.scene;
+    paradt_status status;
+    memcpy(record, paradt__living_record(d, position), scene->width * sizeof *record);
+    record[d->ambient] = weight;
+    status = d->dim > 0 ? paradt__living_withdraw(d, position) : PARADT_OK;
+    if (!status) status = paradt__living_write_room(d);
+    if (status) return status;
+    paradt__living_write(d, position, record);
+    if (d->dim == 0) return PARADT_OK;
+    paradt__living_measure(d, record);
+    return paradt__living_enter(d, position, paradt__walk(scene, paradt__insertion_start(&d->build), record));
+}
+
+// --- points
+
+// Makes a point, that is nowhere yet, one of those at a place.
+static paradt_status paradt__living_join(paradt_dynamic *d, paradt_index id, paradt_index position) {
+    paradt_index root = paradt__living_get(d, PARADT__OWNER, position);
+    paradt_status status = paradt__living_heap_room(d);
+    if (!status) status = paradt__living_log_room(d, PARADT__HEAP_CHANGES + 2);
+    if (status) return status;
+    paradt__living_set(d, PARADT__POSITION, id, position);
+    root = paradt__heap_join(d, root, id);
+    paradt__living_set(d, PARADT__OWNER, position, root);
+    if (root != id || !d->weighted) return PARADT_OK;
+    if (paradt__bits(d->weights[id]) == paradt__bits(paradt__living_record(d, position)[d->ambient])) return PARADT_OK;
+    return paradt__living_reweigh(d, position, d->weights[id]);
+}
+
+// Returns a cell near a point to start a walk from. hint: an id, or negative
+static paradt_index paradt__living_start(const paradt_dynamic *d, paradt_index hint) {
+    if (hint >= 0 && (size_t)hint < d->now.ids) {
+        paradt_index position = paradt__living_get(d, PARADT__POSITION, hint);
+        if (position >= 0) return paradt__living_get(d, PARADT__CELL, position);
+    }
+    return paradt__insertion_start(&d->build);
+}
+
+// Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative
+static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record,
+                                           paradt_index hint) {
+    paradt__scene *scene = &d->build.scene;
+    paradt_index cell, position;
+    paradt_status status;
+    if (d->dim < 0) return PARADT__GAVE_UP;
+    if (d->dim == 0) { // there is one place, the first
+        if (memcmp(record, d->records, (size_t)d->ambient * sizeof *record) != 0) return PARADT__GAVE_UP;
+        return paradt__living_join(d, id, 0);
+    }
+    paradt__living_measure(d, record);
+    if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
+    cell = paradt__walk(scene, paradt__living_start(d, hint), record);
+    paradt__living_start_at(d, cell);
+    position = paradt__living_vertex_at(d, cell, record);
+    if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
+    if (position != PARADT__NOWHERE) return paradt__living_join(d, id, position);
+    status = paradt__living_position_room(d, d->now.positions + 1);
+    if (!status) status = paradt__living_write_room(d);
+    if (!status) status = paradt__living_log_room(d, 4);
+    if (!status) status = paradt__alike_room(d);
+    if (status) return status;
+    position = paradt__living_take_position(d);
+    paradt__living_set(d, PARADT__POSITION, id, position);
+    paradt__living_set(d, PARADT__OWNER, position, id);
+    paradt__living_write(d, position, record);
+    return paradt__living_enter(d, position, cell);
+}
+
+// Takes a point away; its id remains.
+static paradt_status paradt__living_remove(paradt_dynamic *d, paradt_index id) {
+    paradt_index position = paradt__living_get(d, PARADT__POSITION, id);
+    paradt_index root = paradt__living_get(d, PARADT__OWNER, position);
+    int alone =
+        !d->column[PARADT__CHILD] || (root == id && paradt__living_get(d, PARADT__CHILD, id) == PARADT__NOWHERE);
+    paradt_status status;
+    if (alone) {
+        if (d->dim <= 0) return PARADT__GAVE_UP;
+        status = paradt__living_withdraw(d, position);
+        if (!status) status = paradt__living_log_room(d, 1);
+        if (!status) paradt__living_give_position(d, position);
+        return status;
+    }
+    status = paradt__heap_leave_room(d, id);
+    if (status) return status;
+    root = paradt__heap_leave(d, root, id);
+    status = paradt__living_log_room(d, 1);
+    if (status) return status;
+    paradt__living_set(d, PARADT__OWNER, position, root);
+    if (!d->weighted || paradt__bits(d->weights[root]) == paradt__bits(paradt__living_record(d, position)[d->ambient]))
+        return PARADT_OK;
+    return paradt__living_reweigh(d, position, d->weights[root]);
+}
+
+// Notes a point's weight.
+static paradt_status paradt__living_note_weight(paradt_dynamic *d, paradt_index id, double weight) {
+    paradt_status status = d->weighted ? paradt__living_write_room(d) : PARADT_OK;
+    if (status || !d->weighted) return status;
+    d->old_records[d->written.count * d->build.scene.width] = d->weights[id];
+    d->written.items[d->written.count++] = ~id;
+    d->weights[id] = weight;
+    return PARADT_OK;
+}
+
+// Do the cells around a vertex stay what they are when the vertex is elsewhere? They do if each remains positively
+// oriented, for then they cover the same part of space, and if each facet of them remains locally regular: that proves
+// that they are of T(P). Vertices of the hull are not looked at. The cells are build->update.killed.
+static int paradt__living_stays(paradt_dynamic *d, const double *record) {
+    paradt__insertion *build = &d->build;
+    paradt__scene *scene = &build->scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt_index corners = mesh->corners, i;
+    const double *p[PARADT_MAX_DIM + 2];
+    size_t at;
+    for (at = 0; at < build->rim_count; at++) {
+        paradt_index base = build->update.killed[at];
+        if (!paradt__is_finite_cell(mesh->vertices + base, corners)) return 0;
+    }
+    for (at = 0; at < build->rim_count; at++) {
+        paradt_index base = build->update.killed[at];
+        for (i = 0; i < corners; i++)
+            p[i] = base + i == build->rim[at] ? record : paradt__scene_record(scene, mesh->vertices[base + i]);
+        if (paradt__orient(&scene->space, p) <= 0) return 0;
+        for (i = 0; i < corners; i++) {
+            paradt_index mirror = mesh->links[base + i], apex = mesh->vertices[mirror];
+            if (apex < 0 || (base + i != build->rim[at] && mirror < base)) continue;
+            p[corners] = paradt__scene_record(scene, apex);
+            if (paradt__conflict(&scene->space, p)) return 0;
+        }
+    }
+    return 1;
+}
+
+// Moves a point without any change of cells, if that is possible: *done says so.
+static paradt_status paradt__living_slide(paradt_dynamic *d, paradt_index id, const double *record, int *done) {
+    paradt__insertion *build = &d->build;
+    paradt_index position = paradt__living_get(d, PARADT__POSITION, id);
+    paradt_status status;
+    size_t at;
+    *done = 0;
+    if (d->weighted || d->dim < d->ambient) return PARADT_OK;
+    if (d->column[PARADT__CHILD] && (paradt__living_get(d, PARADT__OWNER, position) != id ||
+                                     paradt__living_get(d, PARADT__CHILD, id) != PARADT__NOWHERE))
+        return PARADT_OK;
+    paradt__living_measure(d, record);
+    status = paradt__living_write_room(d);
+    if (!status) status = paradt__filling_cells(build, position, paradt__living_get(d, PARADT__CELL, position));
+    if (status || !paradt__living_stays(d, record)) return status;
+    for (at = 0; at < build->update.killed_count && build->kept; at++)
+        paradt__kept_drop(build->kept, paradt__mesh_cell(&build->scene.mesh, build->update.killed[at]));
+    paradt__living_write(d, position, record);
+    *done = 1;
+    return PARADT_OK;
+}
+
+// Moves a point, and gives it the record's weight.
+static paradt_status paradt__living_move(paradt_dynamic *d, paradt_index id, const double *record) {
+    const double *before = paradt__living_record(d, paradt__living_get(d, PARADT__POSITION, id));
+    int done = 0, stays = !memcmp(before, record, (size_t)d->ambient * sizeof *record);
+    paradt_status status = PARADT_OK;
+    if (stays && (!d->weighted || paradt__bits(record[d->ambient]) == paradt__bits(d->weights[id]))) return PARADT_OK;
+    if (!stays) status = paradt__living_slide(d, id, record, &done);
+    if (status || done) return status;
+    status = paradt__living_remove(d, id);
+    if (!status && d->weighted) status = paradt__living_note_weight(d, id, record[d->ambient]);
+    return status ? status : paradt__living_insert(d, id, record, -1);
+}
+
+// --- a set anew
+
+// Gives a mesh without ghosts its ghosts.
+static paradt_status paradt__living_ghosts(paradt__mesh *mesh, size_t hull, paradt__memory *memory) {
+    const int corners = mesh->corners;
+    paradt_index end = (paradt_index)mesh->count * corners, handle, base;
+    int i;
+    paradt__facets ridges;
+    paradt_status status = paradt__facets_begin(&ridges, 0, 1, memory);
+    if (!status && mesh->count + hull > mesh->capacity)
+        status = paradt__mesh_reserve(mesh, mesh->count + hull, mesh->count + hull, memory);
+    for (handle = 0; handle < end && !status; handle++) {
+        paradt_index first = handle - handle % corners;
+        int place = (int)(handle % corners), infinite = place < 2 ? 1 - place : place;
+        if (mesh->links[handle] >= 0) continue;
+        base = (paradt_index)mesh->count++ * corners;
+        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
+            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
+                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
+        paradt__mesh_tie(mesh, handle, base + infinite);
+        status = paradt__facets_room(&ridges, (size_t)corners, memory);
+        for (i = 0; i < corners && !status; i++) {
+            if (i == infinite) continue;
+            mesh->links[base + i] = PARADT__OPEN;
+            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
+        }
+    }
+    PARADT_ASSERT(status || !ridges.count);
+    mesh->paged = mesh->count;
+    paradt__facets_free(&ridges, memory);
+    return status;
+}
+
+// Passes over the mesh, which is without gaps or has free places: finds a cell of each vertex, counts cells and
+// vertices, and the facets of the hull that have no ghost.
+static size_t paradt__living_survey(paradt_dynamic *d) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index *cell = d->column[PARADT__CELL];
+    size_t corners = (size_t)mesh->corners, hull = 0, i, j;
+    d->now.cells = d->now.vertices = 0;
+    for (i = 0; i < mesh->count; i++) {
+        const paradt_index *row = mesh->vertices + i * corners, *links = mesh->links + i * corners;
+        if (row[0] == PARADT__DEAD) continue;
+        d->now.cells += (size_t)paradt__is_finite_cell(row, mesh->corners);
+        d->build.scene.hint = (paradt_index)i;
+        for (j = 0; j < corners; j++) {
+            hull += links[j] < 0;
+            if (row[j] >= 0) cell[row[j]] = (paradt_index)i;
+        }
+    }
+    return hull;
+}
+
+// Takes over the points that were loaded. ids: of the points, ascending; NULL: their indices
+static paradt_status paradt__living_adopt(paradt_dynamic *d, paradt__work *work, const paradt_points *points,
+                                          const paradt_index *ids, size_t id_count) {
+    paradt__set *set = &work->set;
+    paradt__source source = paradt__source_of(points);
+    size_t count = points->count, i, width = (size_t)d->ambient + (size_t)d->weighted;
+    double record[PARADT_MAX_DIM + 1];
+    paradt_status status = PARADT_OK;
+    int j, scaled = set->exponent < 1023 - 32 || set->exponent > 1023 + 32;
+    d->dim = set->space.dim;
+    d->straight = 1;
+    for (j = 0; j < d->ambient; j++) {
+        d->axes[j] = set->axes[j];
+        d->straight &= set->axes[j] == j;
+    }
+    d->build.scene.width = width;
+    d->now.positions = set->count;
+    d->now.points = count;
+    d->position_room = set->capacity;
+    d->column[PARADT__OWNER] = set->origin;
+    d->records = set->records;
+    set->origin = NULL;
+    set->records = NULL;
+    for (i = 0; i < set->count && (set->width > width || scaled); i++) { // as the caller has them
+        memmove(d->records + i * width, d->records + i * set->width, width * sizeof *record);
+        if (!scaled) continue;
+        paradt__read_record(&source, (size_t)d->column[PARADT__OWNER][i], record);
+        for (j = 0; j < d->ambient; j++) d->records[i * width + (size_t)j] = record[d->axes[j]];
+        if (d->weighted) d->records[i * width + (size_t)d->ambient] = record[d->ambient];
+    }
+    d->build.scene.records = d->records;
+    d->build.scene.space = set->space;
+    if (scaled) {
+        set->records = d->records;
+        set->width = width;
+        paradt__set_measure(set, &paradt__alone, d->dim);
+        d->build.scene.space = set->space;
+        set->records = NULL;
+    }
+    for (j = PARADT__CELL; j < PARADT__POSITION_COLUMNS && !status; j++) {
+        if (paradt__living_has(d, j)) status = paradt__living_grow_column(d, j, 0, d->position_room, PARADT__NOWHERE);
+    }
+    if (!status) status = paradt__living_id_room(d, id_count);
+    if (!status && !d->straight) {
+        d->plain = (double *)paradt__alloc(&d->memory, d->position_room, (size_t)d->ambient * sizeof(double));
+        if (!d->plain) status = PARADT_ERROR_MEMORY;
+    }
+    if (status) return status;
+    for (i = 0; i < set->count && d->plain; i++) {
+        for (j = 0; j < d->ambient; j++)
+            d->plain[i * (size_t)d->ambient + (size_t)d->axes[j]] = d->records[i * width + (size_t)j];
+    }
+    for (i = 0; i < count && d->weighted; i++) d->weights[ids ? (size_t)ids[i] : i] = paradt__weight(&source, i);
+    (void)id_count;
+    return PARADT_OK;
+}
+
+// Gives points their positions, duplicates their heaps, and other ids below id_count to the list of free ones.
+static paradt_status paradt__living_number(paradt_dynamic *d, const paradt_index *representative, size_t count,
+                                           const paradt_index *ids, size_t id_count) {
+    paradt_index *position = d->column[PARADT__POSITION], *owner = d->column[PARADT__OWNER];
+    size_t i;
+    paradt_status status = PARADT_OK;
+    d->now.ids = id_count;
+    d->now.free_id = d->now.free_position = PARADT__NOWHERE;
+    for (i = 0; i < id_count; i++) position[i] = PARADT__NOWHERE;
+    for (i = 0; i < d->now.positions; i++) {
+        if (ids) owner[i] = ids[owner[i]];
+        position[owner[i]] = (paradt_index)i;
+    }
+    for (i = 0; i < count && !status; i++) {
+        paradt_index id = ids ? ids[i] : (paradt_index)i, other = representative[i];
+        if ((size_t)other == i) continue;
+        other = ids ? ids[other] : other;
+        status = paradt__living_join(d, id, position[other]);
+        d->log.count = 0;
+    }
+    for (i = id_count; i > 0 && !status; i--) {
+        if (position[i - 1] != PARADT__NOWHERE) continue;
+        position[i - 1] = ~d->now.free_id;
+        d->now.free_id = (paradt_index)(i - 1);
+    }
+    return status;
+}
+
+// Finds the places that are no vertices, and hangs them on cells.
+static paradt_status paradt__living_find_hidden(paradt_dynamic *d) {
+    paradt__scene *scene = &d->build.scene;
+    size_t i;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < d->now.positions; i++) d->now.hidden += d->column[PARADT__CELL][i] == PARADT__NOWHERE;
+    d->now.vertices = d->now.positions - d->now.hidden;
+    if (!d->weighted) return PARADT_OK;
+    status = paradt__living_grow_column(d, PARADT__HUNG, 0, scene->mesh.capacity, PARADT__OPEN);
+    if (status) return status;
+    d->hung_room = scene->mesh.capacity;
+    status = paradt__alike_room(d);
+    if (!status) status = paradt__living_log_room(d, 8);
+    for (i = 0; i < d->now.positions && !status; i++) {
+        if (d->column[PARADT__CELL][i] != PARADT__NOWHERE) continue;
+        scene->hint = paradt__walk(scene, scene->hint, paradt__living_record(d, (paradt_index)i));
+        paradt__living_hang(d, (paradt_index)i, scene->hint);
+        paradt__alike_enter(d, (paradt_index)i);
+        d->log.count = 0;
+        if (i % 1024 == 0 && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+    }
+    return status;
+}
+
+// Makes what a set keeps besides the mesh, which has been built.
+static paradt_status paradt__living_complete(paradt_dynamic *d, paradt__work *work) {
+    paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t hull;
+    paradt_status status = PARADT_OK;
+    (void)work;
+    d->build.memory = &d->memory;
+    d->build.witness = &d->witness;
+    d->witness.dug = paradt__living_dug;
+    if (d->dim <= 0) {
+        d->now.vertices = d->now.cells = d->now.positions;
+        if (d->now.positions) d->column[PARADT__CELL][0] = 0;
+        paradt__mesh_free(mesh, &d->memory);
+        return PARADT_OK;
+    }
+    hull = paradt__living_survey(d);
+    if (hull) status = paradt__living_ghosts(mesh, hull, &d->memory);
+    if (!status && !mesh->marked) {
+        mesh->marks = (unsigned char *)paradt__alloc(&d->memory, mesh->capacity, 1);
+        if (!mesh->marks) return PARADT_ERROR_MEMORY;
+        memset(mesh->marks, 0, mesh->capacity);
+        mesh->marked = 1;
+    }
+    if (!status) status = paradt__living_find_hidden(d);
+    d->build.count = d->now.vertices;
+    if (!status)
+        status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
+                                   &d->memory);
+    if (!status && PARADT__IS(d->dim, 3)) status = paradt__kept_begin(&d->build);
+    if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
+    return status;
+}
+
+// Gives the vertices of a mesh that was delivered their positions again.
+static paradt_status paradt__living_take_back(paradt__work *work, paradt__memory *memory) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t corners = (size_t)mesh->corners, i, indices = work->stats->duplicates + work->set.count;
+    paradt_index *position = (paradt_index *)paradt__alloc(memory, indices, sizeof *position);
+    if (!position) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < work->set.count; i++) position[work->set.origin[i]] = (paradt_index)i;
+    for (i = 0; i < mesh->count * corners; i++) mesh->vertices[i] = position[mesh->vertices[i]];
+    paradt__release(memory, position);
+    return PARADT_OK;
+}
+
+// Makes a set, which is empty but for its options, account, meter and what its points are like. ids: of the points,
+// ascending; NULL: their indices. id_count: all ids are below it. After an error the caller frees the set.
+static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points *points, const paradt_index *ids,
+                                         size_t id_count) {
+    paradt__work work;
+    paradt_stats stats;
+    paradt_triangulation out;
+    paradt_options options = d->options;
+    paradt_status status;
+    memset(&out, 0, sizeof out);
+    options.method = PARADT_AUTO;
+    options.flags = PARADT_FACETS;
+    paradt__begin_call(&work, &stats, &out, points, &options);
+    work.memory = d->memory;
+    status = paradt__load(&work, points, &out);
+    d->error_point = out.error_point;
+    if (!status) status = paradt__build_mesh(&work);
+#ifndef PARADT_NO_REGIONS
+    if (!status && work.fields) paradt__close_set(&work);
+#endif
+    paradt__release_helpers(&work);
+    if (!status && work.delivered) status = paradt__living_take_back(&work, &work.memory);
+    paradt__release(&work.memory, work.cuts.cut);
+    d->memory = work.memory;
+    d->build.scene.mesh = work.mesh;
+    if (!status) status = paradt__living_adopt(d, &work, points, ids, id_count);
+    if (!status) status = paradt__living_number(d, out.representative, points->count, ids, id_count);
+    if (!status) status = paradt__living_complete(d, &work);
+    paradt__set_free(&work.set, &d->memory);
+    paradt__release(&d->memory, out.representative);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>living set
+//
+// Points that come, go and move: the public functions. Every change, of one point or of many, is checked, done point by
+// point along the curve, and then published, or undone after an error. A change of many points, compared with those
+// that are there, and one that changes the dimension, makes the set anew instead: beside the old one, which is replaced
+// in the end, or kept after an error.
+// Doors: the public functions.
+
+typedef enum paradt__change_kind { PARADT__INSERTION, PARADT__REMOVAL, PARADT__MOTION } paradt__change_kind;
+
+typedef struct paradt__change {
+    paradt__change_kind kind;
+    const paradt_points *points; // NULL for a removal
+    const paradt_index *ids;     // [count] those that are removed or moved
+    paradt_index *new_ids;       // [count] of inserted points; NULL: not wanted
+    size_t count;
+    paradt_index hint;
+    paradt_index *number; // [count] the ids of all points of the change
+    double *records;      // [count][width] NULL for a removal
+    paradt__keyed *order; // [count] along the curve
+} paradt__change;
+
+PARADT_DEF void paradt_dynamic_free(paradt_dynamic *d) {
+    paradt__memory memory;
+    if (!d) return;
+    paradt__living_free(d);
+    memory = d->memory;
+    paradt__release(&memory, d);
+}
+
+// Makes an empty set that has the options and the account, which goes over to it.
+static paradt_dynamic *paradt__living_new(const paradt_options *options, const paradt__memory *account, int ambient,
+                                          int weighted) {
+    paradt__memory memory = *account;
+    paradt_dynamic *d = (paradt_dynamic *)paradt__alloc(&memory, 1, sizeof *d);
+    if (!d) return NULL;
+    memset(d, 0, sizeof *d);
+    d->options = *options;
+    d->memory = memory;
+    d->ambient = ambient;
+    d->weighted = weighted;
+    d->dim = -1;
+    d->build.memory = &d->memory;
+    paradt__meter_begin(&d->meter, options);
+    return d;
+}
+
+// Returns what is wrong with the options for a living set, or NULL.
+static const char *paradt__living_fault(const paradt_options *options) {
+    if (options->flags) return "options.flags is not 0";
+    if (options->method != PARADT_AUTO) return "options.method is not PARADT_AUTO";
+    return NULL;
+}
+
+PARADT_DEF paradt_status paradt_dynamic_create(paradt_dynamic **out, const paradt_points *points,
+                                               const paradt_options *options) {
+    paradt_options given;
+    paradt__memory memory;
+    const char *text;
+    paradt_status status;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    *out = NULL;
+    memset(&given, 0, sizeof given);
+    if (options) given = *options;
+    status = paradt__check_arguments(points, &given, &text);
+    if (!status && paradt__living_fault(&given)) status = PARADT_ERROR_ARGUMENT;
+    if (status) return status;
+    paradt__memory_begin(&memory, &given);
+    *out = paradt__living_new(&given, &memory, points->dim, points->weights != NULL);
+    if (!*out) return PARADT_ERROR_MEMORY;
+    status = paradt__living_make(*out, points, NULL, points->count);
+    if (!status) return PARADT_OK;
+    paradt_dynamic_free(*out);
+    *out = NULL;
+    return status;
+}
+
+// --- the set anew
+
+// What the points of a set are after a change
+typedef struct paradt__census {
+    size_t count, ids; // points; all ids are below `ids`
+    double *x;         // [count][ambient]
+    double *weights;   // [count] NULL: none
+    paradt_index *id;  // [count] ascending
+} paradt__census;
+
+// Copies a record, whose coordinates are along `axes`, to the end of a census.
+static void paradt__census_add(paradt__census *c, const paradt_dynamic *d, paradt_index id, const double *record,
+                               double weight) {
+    int j;
+    for (j = 0; j < d->ambient; j++) c->x[c->count * (size_t)d->ambient + (size_t)d->axes[j]] = record[j];
+    if (c->weights) c->weights[c->count] = weight;
+    c->id[c->count++] = id;
+}
+
+// Takes the census. of: [ids] the number of each point in the change, or PARADT__NOWHERE
+static void paradt__census_take(paradt__census *c, const paradt_dynamic *d, const paradt__change *change,
+                                const paradt_index *of) {
+    size_t width = (size_t)d->ambient + (size_t)d->weighted, i;
+    for (i = 0; i < c->ids; i++) {
+        paradt_index at = of[i], position = i < d->now.ids ? d->column[PARADT__POSITION][i] : -1;
+        if (at != PARADT__NOWHERE && change->kind == PARADT__REMOVAL) continue;
+        if (at != PARADT__NOWHERE) {
+            const double *record = change->records + (size_t)at * width;
+            paradt__census_add(c, d, (paradt_index)i, record, d->weighted ? record[d->ambient] : 0.0);
+        } else if (position >= 0) {
+            paradt__census_add(c, d, (paradt_index)i, paradt__living_record(d, position),
+                               d->weighted ? d->weights[i] : 0.0);
+        }
+    }
+}
+
+// Makes the set anew from a census, and replaces the old one.
+static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__census *c) {
+    paradt_points points = paradt__packed_points(c->count, d->ambient, PARADT_F64);
+    paradt__memory account = d->memory;
+    paradt_dynamic *fresh = paradt__living_new(&d->options, &account, d->ambient, d->weighted), old;
+    paradt_status status;
+    if (!fresh) return PARADT_ERROR_MEMORY;
+    points.data = c->x;
+    points.weights = d->weighted ? c->weights : NULL;
+    status = paradt__living_make(fresh, &points, c->id, c->ids);
+    if (status) {
+        paradt__living_free(fresh);
+        account = fresh->memory;
+        paradt__release(&account, fresh);
+        d->memory = account;
+        return status;
+    }
+    old = *d;
+    old.memory = fresh->memory;
+    old.build.memory = &old.memory;
+    fresh->error_text = d->error_text;
+    *d = *fresh;
+    paradt__living_free(&old);
+    d->memory = old.memory;
+    d->build.memory = &d->memory;
+    d->build.witness = &d->witness;
+    d->dim_before = old.dim;
+    d->rebuilt = 1;
+    paradt__release(&d->memory, fresh);
+    return PARADT_OK;
+}
+
+// Makes the set anew, with a change.
+static paradt_status paradt__living_rebuild(paradt_dynamic *d, const paradt__change *change) {
+    paradt__census c;
+    size_t most = d->now.points + change->count, i;
+    paradt_index *of = NULL;
+    paradt_status status = PARADT_ERROR_MEMORY;
+    memset(&c, 0, sizeof c);
+    c.ids = d->now.ids;
+    for (i = 0; i < change->count; i++) {
+        if ((size_t)change->number[i] >= c.ids) c.ids = (size_t)change->number[i] + 1;
+    }
+    of = (paradt_index *)paradt__alloc(&d->memory, c.ids, sizeof *of);
+    c.x = (double *)paradt__alloc(&d->memory, most, (size_t)d->ambient * sizeof(double));
+    if (d->weighted) c.weights = (double *)paradt__alloc(&d->memory, most, sizeof(double));
+    c.id = (paradt_index *)paradt__alloc(&d->memory, most, sizeof *c.id);
+    if (of && c.x && c.id && (c.weights || !d->weighted)) {
+        for (i = 0; i < c.ids; i++) of[i] = PARADT__NOWHERE;
+        for (i = 0; i < change->count; i++) of[change->number[i]] = (paradt_index)i;
+        paradt__census_take(&c, d, change, of);
+        status = paradt__living_replace(d, &c);
+    }
+    paradt__release(&d->memory, of);
+    paradt__release(&d->memory, c.x);
+    paradt__release(&d->memory, c.weights);
+    paradt__release(&d->memory, c.id);
+    return status;
+}
+
+// --- changes
+
+static paradt_status paradt__change_fault(paradt_dynamic *d, const char *text) {
+    d->error_text = text;
+    return PARADT_ERROR_ARGUMENT;
+}
+
+// Checks the ids of a change: all are in use, and none is named twice.
+static paradt_status paradt__change_check_ids(paradt_dynamic *d, const paradt__change *change) {
+    uint64_t *named;
+    size_t i, words = d->now.ids / 64 + 1;
+    int twice = 0;
+    if (change->count && !change->ids) return paradt__change_fault(d, "ids is NULL");
+    for (i = 0; i < change->count; i++) {
+        paradt_index id = change->ids[i];
+        if (id < 0 || (size_t)id >= d->now.ids || paradt__living_get(d, PARADT__POSITION, id) < 0)
+            return paradt__change_fault(d, "an id is out of range or free");
+    }
+    if (change->count < 2) return PARADT_OK;
+    named = (uint64_t *)paradt__alloc(&d->memory, words, sizeof *named);
+    if (!named) return PARADT_ERROR_MEMORY;
+    memset(named, 0, words * sizeof *named);
+    for (i = 0; i < change->count; i++) {
+        uint64_t bit = (uint64_t)1 << change->ids[i] % 64;
+        twice |= (named[change->ids[i] / 64] & bit) != 0;
+        named[change->ids[i] / 64] |= bit;
+    }
+    paradt__release(&d->memory, named);
+    return twice ? paradt__change_fault(d, "an id is named twice") : PARADT_OK;
+}
+
+// Checks the points of a change and makes their records.
+static paradt_status paradt__change_read(paradt_dynamic *d, paradt__change *change) {
+    size_t width = (size_t)d->ambient + (size_t)d->weighted, i;
+    paradt__source source;
+    double record[PARADT_MAX_DIM + 1];
+    paradt_status status = paradt__check_arguments(change->points, NULL, &d->error_text);
+    int j;
+    if (status) return status;
+    if (change->points->dim != d->ambient) return paradt__change_fault(d, "points.dim is not that of the set");
+    if (change->points->weights && !d->weighted) {
+        for (i = 0, source = paradt__source_of(change->points); i < change->count; i++)
+            if (paradt__weight(&source, i) != 0.0) return paradt__change_fault(d, "the set is one without weights");
+    }
+    source = paradt__source_of(change->points);
+    for (i = 0; i < change->count; i++) {
+        double *to = change->records + i * width;
+        if (paradt__read_record(&source, i, record) == 2047) {
+            d->error_point = i;
+            return PARADT_ERROR_NOT_FINITE;
+        }
+        for (j = 0; j < d->ambient; j++) to[j] = record[d->dim < 0 ? j : d->axes[j]];
+        if (d->weighted) to[d->ambient] = change->points->weights ? record[d->ambient] : 0.0;
+    }
+    return PARADT_OK;
+}
+
+// Finds the ids of the points of a change; those of inserted points are taken.
+static paradt_status paradt__change_number(paradt_dynamic *d, const paradt__change *change) {
+    size_t i, count = d->now.ids + change->count;
+    paradt_status status = PARADT_OK;
+    if (change->kind != PARADT__INSERTION) {
+        memcpy(change->number, change->ids, change->count * sizeof *change->number);
+        return PARADT_OK;
+    }
+    status = paradt__living_id_room(d, count);
+    for (i = 0; i < change->count && !status; i++) change->number[i] = paradt__living_take_id(d);
+    return status;
+}
+
+// Sorts the points of a change along the curve. other: scratch for as many
+static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *change, paradt__keyed *other) {
+    const paradt__space *space = &d->build.scene.space;
+    paradt__curve curve;
+    size_t i;
+    for (i = 0; i < change->count; i++) change->order[i].item = (paradt_index)i;
+    if (change->count < 3 || d->dim < 1) return;
+    if (change->kind == PARADT__REMOVAL) { // places have been along the curve, and others are seldom
+        for (i = 0; i < change->count; i++)
+            change->order[i].key = (uint64_t)paradt__living_get(d, PARADT__POSITION, change->number[i]);
+        paradt__keyed_sort(change->order, other, change->count, paradt__bit_length(d->now.positions), 0);
+        return;
+    }
+    paradt__curve_begin(&curve, d->ambient, paradt__levels_for(SIZE_MAX, d->ambient), space->low, space->high,
+                        change->count);
+    paradt__curve_sort(&curve, change->records, (size_t)d->ambient + (size_t)d->weighted, change->order, other,
+                       change->count);
+}
+
+// Does a change, point by point.
+static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *change) {
+    size_t width = (size_t)d->ambient + (size_t)d->weighted, i;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < change->count && !status; i++) {
+        size_t at = (size_t)change->order[i].item;
+        paradt_index id = change->number[at];
+        const double *record = change->records + at * width;
+        if (i % 64 == 63 && paradt__meter_cancels(&d->meter)) return PARADT_ERROR_CANCELLED;
+        switch (change->kind) {
+        case PARADT__INSERTION:
+            if (d->weighted) d->weights[id] = record[d->ambient];
+            status = paradt__living_insert(d, id, record, change->hint);
+            d->now.points++;
+            break;
+        case PARADT__REMOVAL:
+            status = paradt__living_remove(d, id);
+            if (!status) status = paradt__living_log_room(d, 1);
+            if (!status) paradt__living_give_id(d, id);
+            d->now.points--;
+            break;
+        default: status = paradt__living_move(d, id, record);
+        }
+    }
+    return status;
+}
+
+// Is a change so large that making the set anew takes less time?
+static int paradt__change_is_large(const paradt_dynamic *d, const paradt__change *change) {
+    enum { FEW = 32, PART = 8 };
+    return change->count > FEW && change->count > d->now.points / PART;
+}
+
+// Does a change or makes the set anew, all memory being there.
+static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *change) {
+    paradt_status status;
+    paradt__living_begin(d);
+    status = paradt__change_number(d, change);
+    if (!status && d->dim >= 0 && !paradt__change_is_large(d, change)) {
+        paradt_index next = d->now.free_id;
+        (void)next;
+        status = paradt__change_do(d, change);
+    } else if (!status) {
+        status = PARADT__GAVE_UP;
+    }
+    if (!status) {
+        if (d->dim > 0) paradt__living_publish(d);
+        return PARADT_OK;
+    }
+    paradt__living_undo(d);
+    if (status != PARADT__GAVE_UP) return status;
+    return paradt__living_rebuild(d, change);
+}
+
+// Checks a change and does it.
+static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *change) {
+    size_t width = (size_t)d->ambient + (size_t)d->weighted, count = change->count;
+    paradt__memory *memory = &d->memory;
+    paradt__keyed *other;
+    paradt_status status = PARADT_OK;
+    d->error_point = 0;
+    d->error_text = NULL;
+    if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
+    if (status) return status;
+    change->number = (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
+    change->order = (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
+    other = (paradt__keyed *)paradt__alloc(memory, count, sizeof *other);
+    if (change->kind != PARADT__REMOVAL)
+        change->records = (double *)paradt__alloc(memory, count, width * sizeof(double));
+    if (!change->number || !change->order || !other || (!change->records && change->kind != PARADT__REMOVAL))
+        status = PARADT_ERROR_MEMORY;
+    if (!status && change->kind != PARADT__REMOVAL) status = paradt__change_read(d, change);
+    if (!status) {
+        if (change->kind != PARADT__INSERTION) memcpy(change->number, change->ids, count * sizeof *change->number);
+        paradt__change_sort(d, change, other);
+        status = paradt__change_run(d, change);
+    }
+    if (!status && change->new_ids) memcpy(change->new_ids, change->number, count * sizeof *change->number);
+    paradt__release(memory, change->number);
+    paradt__release(memory, change->order);
+    paradt__release(memory, other);
+    paradt__release(memory, change->records);
+    if (status && !d->error_text) d->error_text = paradt_status_string(status);
+    return status;
+}
+
+static paradt__change paradt__change_of(paradt__change_kind kind, const paradt_points *points, const paradt_index *ids,
+                                        size_t count) {
+    paradt__change change;
+    memset(&change, 0, sizeof change);
+    change.kind = kind;
+    change.points = points;
+    change.ids = ids;
+    change.count = count;
+    change.hint = -1;
+    return change;
+}
+
+// One point as points. weight: kept by the caller
+static paradt_points paradt__one_point(const paradt_dynamic *d, const double *x, const double *weight) {
+    paradt_points points = paradt__packed_points(1, d->ambient, PARADT_F64);
+    points.data = x;
+    points.weights = weight;
+    return points;
+}
+
+PARADT_DEF paradt_status paradt_dynamic_insert(paradt_dynamic *d, const double *x, double weight, paradt_index hint,
+                                               paradt_index *id) {
+    paradt_points points;
+    paradt__change change;
+    if (!d) return PARADT_ERROR_ARGUMENT;
+    points = paradt__one_point(d, x, &weight);
+    change = paradt__change_of(PARADT__INSERTION, &points, NULL, 1);
+    change.hint = hint;
+    change.new_ids = id;
+    return paradt__living_change(d, &change);
+}
+
+PARADT_DEF paradt_status paradt_dynamic_remove(paradt_dynamic *d, paradt_index id) {
+    return paradt_dynamic_remove_points(d, &id, 1);
+}
+
+PARADT_DEF paradt_status paradt_dynamic_move(paradt_dynamic *d, paradt_index id, const double *x, double weight) {
+    paradt_points points;
+    if (!d) return PARADT_ERROR_ARGUMENT;
+    points = paradt__one_point(d, x, &weight);
+    return paradt_dynamic_move_points(d, &id, &points);
+}
+
+PARADT_DEF paradt_status paradt_dynamic_insert_points(paradt_dynamic *d, const paradt_points *points,
+                                                      paradt_index *ids) {
+    paradt__change change;
+    if (!d || !points) return PARADT_ERROR_ARGUMENT;
+    change = paradt__change_of(PARADT__INSERTION, points, NULL, points->count);
+    change.new_ids = ids;
+    return paradt__living_change(d, &change);
+}
+
+PARADT_DEF paradt_status paradt_dynamic_remove_points(paradt_dynamic *d, const paradt_index *ids, size_t count) {
+    paradt__change change = paradt__change_of(PARADT__REMOVAL, NULL, ids, count);
+    return d ? paradt__living_change(d, &change) : PARADT_ERROR_ARGUMENT;
+}
+
+PARADT_DEF paradt_status paradt_dynamic_move_points(paradt_dynamic *d, const paradt_index *ids,
+                                                    const paradt_points *points) {
+    paradt__change change;
+    if (!d || !points) return PARADT_ERROR_ARGUMENT;
+    change = paradt__change_of(PARADT__MOTION, points, ids, points->count);
+    return paradt__living_change(d, &change);
+}
+
+// --- what the set is
+
+PARADT_DEF void paradt_dynamic_get_info(const paradt_dynamic *d, paradt_dynamic_info *info) {
+    memset(info, 0, sizeof *info);
+    info->dim = d->dim;
+    info->point_count = d->now.points;
+    info->id_count = d->now.ids;
+    info->vertex_count = d->now.vertices;
+    info->cell_count = d->now.cells;
+    info->cell_end = d->dim > 0 ? d->build.scene.mesh.count : d->now.cells;
+    info->bytes = (size_t)d->memory.held;
+    info->error_point = d->error_point;
+    info->error_text = d->error_text;
+}
+
+PARADT_DEF void paradt_dynamic_get_update(const paradt_dynamic *d, paradt_dynamic_update *update) {
+    memset(update, 0, sizeof *update);
+    update->killed_count = d->killed_numbers.count;
+    update->killed = d->killed_numbers.items;
+    update->killed_vertices = d->killed_vertices.items;
+    update->made_count = d->made.count;
+    update->made = d->made.items;
+    update->dim_before = d->dim_before;
+    update->rebuilt = d->rebuilt;
+}
+
+// The link of a facet as users see it
+static paradt_index paradt__living_link(const paradt_dynamic *d, paradt_index handle) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index mirror = mesh->links[handle];
+    return paradt__is_finite_cell(paradt__mesh_row(mesh, paradt__mesh_cell(mesh, mirror)), mesh->corners) ? mirror : -1;
+}
+
+PARADT_DEF int paradt_dynamic_cell(const paradt_dynamic *d, paradt_index cell, paradt_index *vertices,
+                                   paradt_index *neighbors) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    const paradt_index *owner = d->column[PARADT__OWNER];
+    paradt_index i;
+    if (d->dim == 0 && cell == 0) {
+        if (vertices) vertices[0] = owner[0];
+        if (neighbors) neighbors[0] = -1;
+        return 1;
+    }
+    if (cell < 0 || d->dim < 1 || (size_t)cell >= mesh->count ||
+        !paradt__is_finite_cell(paradt__mesh_row(mesh, cell), mesh->corners))
+        return 0;
+    for (i = 0; i < mesh->corners; i++) {
+        if (vertices) vertices[i] = owner[mesh->vertices[cell * mesh->corners + i]];
+        if (neighbors) neighbors[i] = paradt__living_link(d, cell * mesh->corners + i);
+    }
+    return 1;
+}
+
+// The position of an id, or PARADT__NOWHERE where it is free or out of range
+static paradt_index paradt__living_position(const paradt_dynamic *d, paradt_index id) {
+    paradt_index position;
+    if (id < 0 || (size_t)id >= d->now.ids) return PARADT__NOWHERE;
+    position = paradt__living_get(d, PARADT__POSITION, id);
+    return position < 0 ? PARADT__NOWHERE : position;
+}
+
+PARADT_DEF const double *paradt_dynamic_point(const paradt_dynamic *d, paradt_index id, double *weight) {
+    paradt_index position = paradt__living_position(d, id);
+    if (position == PARADT__NOWHERE) return NULL;
+    if (weight) *weight = d->weighted ? d->weights[id] : 0.0;
+    return d->plain ? d->plain + position * (paradt_index)d->ambient : paradt__living_record(d, position);
+}
+
+PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, paradt_index id) {
+    paradt_index position = paradt__living_position(d, id);
+    if (position == PARADT__NOWHERE) return -2;
+    return paradt__living_is_hidden(d, position) ? -1 : paradt__living_get(d, PARADT__OWNER, position);
+}
+
+// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells: a star of many cells would take
+// memory that nobody can provide here.
+static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                        size_t capacity) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t count = 0, i;
+    for (i = 0; i < mesh->count; i++) {
+        if (!paradt__mesh_has(mesh, (paradt_index)i, position) ||
+            !paradt__is_finite_cell(paradt__mesh_row(mesh, (paradt_index)i), mesh->corners))
+            continue;
+        if (count++ < capacity) cells[count - 1] = (paradt_index)i;
+    }
+    return count;
+}
+
+PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index position = paradt__living_position(d, id);
+    paradt__star star;
+    size_t count = 0, i;
+    if (position == PARADT__NOWHERE || paradt__living_is_hidden(d, position) ||
+        paradt__living_get(d, PARADT__OWNER, position) != id)
+        return 0;
+    if (d->dim == 0) {
+        if (capacity) cells[0] = 0;
+        return 1;
+    }
+    paradt__star_of(mesh, paradt__living_get(d, PARADT__CELL, position), position, &star);
+    if (star.count > PARADT__STAR_CELLS) return paradt__living_large_star(d, position, cells, capacity);
+    for (i = 0; i < star.count; i++) {
+        paradt_index cell = paradt__mesh_cell(mesh, star.handles[i]);
+        if (!paradt__is_finite_cell(paradt__mesh_row(mesh, cell), mesh->corners)) continue;
+        if (count++ < capacity) cells[count - 1] = cell;
+    }
+    return count;
+}
+
+// --- export
+
+// Fills the rows of cells. number: [places] the number of each cell
+static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out, const paradt_index *number) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    const paradt_index *owner = d->column[PARADT__OWNER];
+    size_t corners = (size_t)mesh->corners, i, j;
+    for (i = 0; i < mesh->count; i++) {
+        paradt_index *cell = out->cells + (size_t)number[i] * corners;
+        paradt_index *links = out->neighbors + (size_t)number[i] * corners;
+        if (number[i] < 0) continue;
+        for (j = 0; j < corners; j++) {
+            paradt_index other = number[paradt__mesh_cell(mesh, mesh->links[i * corners + j])];
+            cell[j] = owner[mesh->vertices[i * corners + j]];
+            links[j] = other;
+            out->stats.hull_facets += other < 0;
+        }
+    }
+}
+
+PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t corners = d->dim > 0 ? (size_t)mesh->corners : 1, places = d->dim > 0 ? mesh->count : 0, i;
+    paradt__memory memory;
+    paradt_index *number, count = 0;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    memset(out, 0, sizeof *out);
+    out->dim = -1;
+    paradt__memory_begin(&memory, &d->options);
+    out->allocator = memory.allocator;
+    number = (paradt_index *)paradt__alloc(&memory, places, sizeof *number);
+    out->cells = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
+    if (d->dim > 0)
+        out->neighbors = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
+    out->representative = (paradt_index *)paradt__alloc(&memory, d->now.ids, sizeof(paradt_index));
+    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) {
+        paradt__release(&memory, number);
+        paradt__withdraw(out, PARADT_ERROR_MEMORY, -1);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < places; i++)
+        number[i] = paradt__is_finite_cell(mesh->vertices + i * corners, mesh->corners) ? count++ : -1;
+    out->dim = d->dim;
+    out->cell_count = d->now.cells;
+    if (d->dim > 0) paradt__export_cells(d, out, number);
+    else if (d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
+    out->point_count = d->now.ids;
+    for (i = 0; i < d->now.ids; i++) out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
+    out->stats.cells = out->cell_count;
+    out->stats.hidden = d->now.hidden;
+    out->stats.duplicates = d->now.points - d->now.vertices - d->now.hidden;
+    out->stats.regions = 1;
+    paradt__release(&memory, number);
+    return PARADT_OK;
+}
+#endif // PARADT_NO_DYNAMIC
 
 #ifndef PARADT_NO_VORONOI
 // ---------------------------------------------------------------------------------------------------------------------
