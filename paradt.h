@@ -24730,13 +24730,13 @@ enum {
 enum { PARADT__DIAGRAM_PACE = 1 << 12 }; // cells between two looks at whether the call is cancelled
 
 // A wall as the caller gave it, along the set's axes: normal . x <= offset
-typedef struct paradt__wall {
+typedef struct paradt__voronoi_wall {
     double normal[PARADT_MAX_DIM], offset;
     double scaled_normal[PARADT_MAX_DIM], scaled_offset; // the same plane in scaled coordinates
     int inexact; // scaling lost bits
     int axis;    // of a bound of the box: its axis; else -1
     int far;     // the box has no bound there
-} paradt__wall;
+} paradt__voronoi_wall;
 
 typedef struct paradt__diagram {
     int d, k; // dimension of space; of the triangulation
@@ -24747,7 +24747,7 @@ typedef struct paradt__diagram {
     const double *scaled; // [set.count][set.width] what floating point works with; set.records where shift is 0
     int shift;
     double tiny;         // more than what underflow adds to a determinant
-    paradt__wall *walls; // [wall_count] 2 d bounds of the box, then planes
+    paradt__voronoi_wall *walls; // [wall_count] 2 d bounds of the box, then planes
     size_t wall_count;
     double *centres;     // [cells][d + 1] a vertex of the diagram, as far as nothing clips it; and its error
     unsigned char *kind; // [set.count] PARADT__CELL_* bits
@@ -24795,7 +24795,7 @@ PARADT__INLINE void paradt__diagram_bisector(const paradt__diagram *g, paradt_in
 // Wall number `wall` as a plane of the cell of p
 static void paradt__diagram_wall(const paradt__diagram *g, paradt_index p, size_t number, paradt__halfspace *h) {
     const double *from = paradt__diagram_point(g, p);
-    const paradt__wall *wall = g->walls + number;
+    const paradt__voronoi_wall *wall = g->walls + number;
     double dot = 0, size = 0;
     int j;
     for (j = 0; j < g->d; j++) {
@@ -24994,13 +24994,13 @@ PARADT__INLINE int paradt__centre_is_inside(const paradt__diagram *g, const doub
     double bound = 2 * centre[d] + g->tiny;
     int j, inside = 1;
     for (; i < 2 * (size_t)d && i < g->wall_count; i++) { // of the box
-        const paradt__wall *wall = g->walls + i;
+        const paradt__voronoi_wall *wall = g->walls + i;
         double x = centre[wall->axis];
         double room = i < (size_t)d ? x + wall->scaled_offset : wall->scaled_offset - x;
         inside &= wall->far | (room > bound);
     }
     for (; i < g->wall_count && inside; i++) {
-        const paradt__wall *wall = g->walls + i;
+        const paradt__voronoi_wall *wall = g->walls + i;
         double value = -wall->scaled_offset, size = paradt__abs(wall->scaled_offset), sum = 0;
         for (j = 0; j < d; j++) {
             value += wall->scaled_normal[j] * centre[j];
@@ -25108,7 +25108,7 @@ PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int 
 //
 // The cells of the triangulation are divided into chunks, whose number depends on how many they are alone, and sums of
 // chunks are added in order: so the result does not depend on the number of tasks.
-// Doors: paradt__faces_make, paradt__face_list_*, paradt__tally_*, struct paradt__face_list, struct paradt__tally.
+// Doors: paradt__faces_make, paradt__face_list_*, paradt__tally_*, struct paradt__face_list, struct paradt__voronoi_tally.
 
 enum { PARADT__CHUNKS = PARADT__MOST_TASKS, PARADT__CHUNK_CELLS = 10000 };
 
@@ -25173,17 +25173,17 @@ PARADT__INLINE paradt_status paradt__face_list_room(paradt__face_list *list, siz
 }
 
 // What is summed up for each point: its cell's volume, the volume's error, and with `moments` the integral of y
-typedef struct paradt__tally {
+typedef struct paradt__voronoi_tally {
     int width; // 2, or 2 + d with moments
     double *sums; // [points][width]
-} paradt__tally;
+} paradt__voronoi_tally;
 
-PARADT__INLINE double *paradt__tally_of(const paradt__tally *tally, paradt_index point) {
+PARADT__INLINE double *paradt__tally_of(const paradt__voronoi_tally *tally, paradt_index point) {
     return tally->sums + (size_t)point * (size_t)tally->width;
 }
 
 // Adds the sums of a chunk to the total, and clears them.
-static void paradt__tally_join(const paradt__tally *total, const paradt__tally *part, size_t points) {
+static void paradt__tally_join(const paradt__voronoi_tally *total, const paradt__voronoi_tally *part, size_t points) {
     size_t i, count = points * (size_t)total->width;
     for (i = 0; i < count && total->sums; i++) {
         total->sums[i] += part->sums[i];
@@ -25284,8 +25284,8 @@ typedef struct paradt__facing {
     unsigned wants;
     size_t chunks;
     unsigned char *done;                              // [cells] marks of edges
-    paradt__tally tally[PARADT__CHUNKS];              // of chunks; of one task alone only the first is there
-    paradt__tally total;
+    paradt__voronoi_tally tally[PARADT__CHUNKS];              // of chunks; of one task alone only the first is there
+    paradt__voronoi_tally total;
     paradt__face_list *list;                          // [chunks]
     paradt__memory memory[PARADT__MOST_TASKS];        // of tasks
     paradt__space space[PARADT__MOST_TASKS];
@@ -25309,7 +25309,7 @@ PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index 
 
 // Adds a face to the cells of p and q. normal: q - p; measure: of the face, times |normal|, which errs by `error`;
 // where: the face's centroid
-PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const paradt__tally *tally, paradt_index p,
+PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const paradt__voronoi_tally *tally, paradt_index p,
                                        paradt_index q, const double *normal, double measure, double error,
                                        const double *where, int d) {
     const paradt__diagram *g = facing->g;
@@ -25335,7 +25335,7 @@ PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const parad
 }
 
 // Measures the face around an edge of a cell in space, and adds it to what it belongs to.
-PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, paradt__tally *tally,
+PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, paradt__voronoi_tally *tally,
                                                    paradt__face_list *list, paradt__space *space, size_t begin,
                                                    size_t end, paradt_index cell, int edge, int moments) {
     const paradt__diagram *g = facing->g;
@@ -25392,7 +25392,7 @@ PARADT__INLINE void paradt__ring_fetch(const paradt__diagram *g, size_t cell, si
     }
 }
 
-PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, paradt__tally *tally,
+PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, paradt__voronoi_tally *tally,
                                                     paradt__face_list *list, size_t task, size_t begin, size_t end,
                                                     int moments) {
     enum { ROWS_AHEAD = 16, NEXT_AHEAD = 8 };
@@ -25424,7 +25424,7 @@ PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, para
 }
 
 // The same in the plane, where a face is the segment between the centres of two neighbours.
-PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, paradt__tally *tally,
+PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, paradt__voronoi_tally *tally,
                                                     paradt__face_list *list, size_t task, size_t begin, size_t end) {
     const paradt__diagram *g = facing->g;
     size_t cell;
@@ -25479,7 +25479,7 @@ PARADT__HOT void paradt__faces_task(void *context, size_t task) {
     for (chunk = task; chunk < facing->chunks && !status; chunk += step) {
         size_t begin = g->cells / facing->chunks * chunk, slot = step == 1 ? 0 : chunk;
         size_t end = chunk + 1 == facing->chunks ? g->cells : g->cells / facing->chunks * (chunk + 1);
-        paradt__tally *tally = &facing->tally[slot];
+        paradt__voronoi_tally *tally = &facing->tally[slot];
         paradt__face_list *list = facing->list ? &facing->list[slot] : NULL;
         if (g->d == 2) status = paradt__faces_in_plane(facing, tally, list, task, begin, end);
         else if (moments) status = paradt__faces_in_space(facing, tally, list, task, begin, end, 1);
@@ -25509,7 +25509,7 @@ static paradt_status paradt__face_list_join(paradt__face_list *list, const parad
 }
 
 // Ends the tasks: what they have summed up and listed comes together in order.
-static paradt_status paradt__faces_end(paradt__facing *facing, paradt__tally *total, paradt__face_list *list,
+static paradt_status paradt__faces_end(paradt__facing *facing, paradt__voronoi_tally *total, paradt__face_list *list,
                                        size_t slots) {
     paradt__diagram *g = facing->g;
     uint64_t peaks = 0;
@@ -25543,7 +25543,7 @@ static size_t paradt__edges_expected(const paradt__diagram *g) {
 //   total  what the cells have of them is added; sums NULL: not wanted
 //   list   NULL, or a list that gets them, empty at first
 static paradt_status paradt__faces_make(paradt__diagram *g, const paradt__team *team, unsigned wants,
-                                        paradt__tally *total, paradt__face_list *list) {
+                                        paradt__voronoi_tally *total, paradt__face_list *list) {
     paradt__facing facing;
     paradt__face_list lists[PARADT__CHUNKS];
     size_t i, slots, bytes = g->set.count * (size_t)total->width * sizeof(double);
@@ -25594,7 +25594,7 @@ typedef struct paradt__voronoi_work {
     unsigned wants;
     paradt__diagram g;
     double *scaled;      // of the diagram, where it has its own
-    paradt__tally tally; // of the cells
+    paradt__voronoi_tally tally; // of the cells
     paradt__face_list list;
     uint32_t reported[4];
 } paradt__voronoi_work;
@@ -25660,11 +25660,11 @@ static paradt_status paradt__voronoi_walls(paradt__voronoi_work *work, const par
     size_t i, d = (size_t)g->d, planes = request ? request->plane_count : 0;
     int j;
     g->wall_count = 2 * d + planes;
-    g->walls = (paradt__wall *)paradt__alloc(&work->memory, g->wall_count, sizeof *g->walls);
+    g->walls = (paradt__voronoi_wall *)paradt__alloc(&work->memory, g->wall_count, sizeof *g->walls);
     if (!g->walls) return PARADT_ERROR_MEMORY;
     memset(g->walls, 0, g->wall_count * sizeof *g->walls);
     for (i = 0; i < g->wall_count; i++) {
-        paradt__wall *wall = g->walls + i;
+        paradt__voronoi_wall *wall = g->walls + i;
         wall->axis = -1;
         if (i >= 2 * d) {
             const double *plane = request->planes + (i - 2 * d) * (d + 1);
@@ -25689,7 +25689,7 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
     int top = g->set.space.coordinates.top, growth, exact;
     if (g->weighted) top = paradt__max(top, (g->set.space.weights.top + 1) / 2);
     for (i = 0; i < g->wall_count; i++) {
-        const paradt__wall *wall = g->walls + i;
+        const paradt__voronoi_wall *wall = g->walls + i;
         int largest = -4000;
         for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
         if (!wall->far) top = paradt__max(top, paradt__voronoi_top(wall->offset) - largest + 1);
@@ -25700,7 +25700,7 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
     growth = (int)d * top + 2 * top + 8;
     g->tiny = paradt__power(growth - 950);
     for (i = 0; i < g->wall_count; i++) {
-        paradt__wall *wall = g->walls + i;
+        paradt__voronoi_wall *wall = g->walls + i;
         int largest = -4000;
         for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
         exact = paradt__precise();
