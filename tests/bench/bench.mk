@@ -80,10 +80,19 @@ $(B)/use-flags: FORCE
 
 FORCE:
 
-$(B)/cgal-use: tests/bench/cgal_use.cpp $(B)/library.o
-	$(CXX) $(CGALFLAGS) -isystem /usr/include/eigen3 $(DEPENDS) -o $@ $(SOURCES) -lmpfr -lgmp -lm
+# Of paradt.h the peers' programs have the hash and sizes alone, so they are not compiled anew with every change of it.
+$(B)/cgal_use.o: tests/bench/cgal_use.cpp tests/bench/use.h tests/bench/bench.h
+	@mkdir -p $(@D)
+	$(CXX) $(CGALFLAGS) -isystem /usr/include/eigen3 -c -o $@ $<
 
-$(B)/voro-use: tests/bench/voro_use.cpp $(B)/library.o
-	$(CXX) $(FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lvoro++ -lm
+$(B)/cgal-use: $(B)/cgal_use.o $(B)/library.o
+	$(CXX) -o $@ $^ -lmpfr -lgmp -lm
+
+$(B)/voro_use.o: tests/bench/voro_use.cpp tests/bench/use.h tests/bench/bench.h
+	@mkdir -p $(@D)
+	$(CXX) $(FLAGS) -c -o $@ $<
+
+$(B)/voro-use: $(B)/voro_use.o $(B)/library.o
+	$(CXX) -o $@ $^ -lvoro++ -lm
 
 -include $(wildcard $(B)/*.d)
