@@ -1501,9 +1501,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     along                        154   the cells along a segment
 //     locator                      521   the entry of queries
 //     holes of vertices            503   what fills the hole where a vertex goes
-//     state of a living set        648   columns, journal, hidden and coincident points
-//     changes of a living set      582   one point comes, goes or moves; the set anew
-//     living set                   583   the entry
+//     state of a living set        651   columns, journal, hidden and coincident points
+//     changes of a living set      605   one point comes, goes or moves; the set anew
+//     living set                   580   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -22950,6 +22950,8 @@ struct paradt_dynamic {
     paradt__meter meter;
     paradt__insertion build; // scene, kept spheres; without a mesh where dim < 1
     paradt__filling filling;
+    paradt__starts starts; // where searches start
+    size_t starts_for;     // number of vertices when they were made; 0: they were not
     int ambient, weighted;
     int dim;                  // of the points; -1: there are none
     int axes[PARADT_MAX_DIM]; // the caller's axis that each coordinate of a record is along
@@ -23061,6 +23063,7 @@ static void paradt__living_free(paradt_dynamic *d) {
     int column;
     paradt__insertion_end(&d->build);
     paradt__filling_free(&d->filling, memory);
+    paradt__starts_free(&d->starts, memory);
     for (column = 0; column < PARADT__COLUMNS; column++) paradt__release(memory, d->column[column]);
     paradt__release(memory, d->records);
     paradt__release(memory, d->plain);
@@ -23693,6 +23696,7 @@ static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index pos
     if (!status) status = paradt__living_prepare(d, f->count);
     if (status) return status;
     paradt__living_fill(d);
+    paradt__starts_replace(&d->starts, paradt__living_record(d, position), position, f->points.items[0]);
     d->now.vertices--;
     paradt__living_settle(d, position);
     paradt__living_start_at(d, paradt__mesh_cell(mesh, build->update.made[0]));
@@ -23742,18 +23746,38 @@ static paradt_status paradt__living_join(paradt_dynamic *d, paradt_index id, par
     return paradt__living_reweigh(d, position, d->weights[id]);
 }
 
-// Returns a cell near a point to start a walk from. hint: an id, or negative
-static paradt_index paradt__living_start(const paradt_dynamic *d, paradt_index hint) {
-    if (hint >= 0 && (size_t)hint < d->now.ids) {
-        paradt_index position = paradt__living_get(d, PARADT__POSITION, hint);
-        if (position >= 0) return paradt__living_get(d, PARADT__CELL, position);
-    }
-    return paradt__insertion_start(&d->build);
+// Makes the starts when they are first needed, and anew when there are many more vertices. Without memory there are
+// none.
+static void paradt__living_make_starts(paradt_dynamic *d) {
+    enum { FEW = 64, TIMES = 4 };
+    paradt__start_points points;
+    if (d->dim < 1 || d->now.vertices < FEW || (d->starts_for && d->now.vertices < TIMES * d->starts_for)) return;
+    paradt__starts_free(&d->starts, &d->memory);
+    points.records = d->records;
+    points.width = d->build.scene.width;
+    points.count = d->now.positions;
+    points.order = NULL;
+    d->starts_for = d->now.vertices;
+    if (paradt__starts_make(&d->starts, &points, d->ambient, &d->memory, NULL))
+        paradt__starts_free(&d->starts, &d->memory);
 }
 
-// Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative
-static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record,
-                                           paradt_index hint) {
+// Returns a cell near a place, to start a walk from. hint: an id, or negative
+static paradt_index paradt__living_start(const paradt_dynamic *d, const double *record, paradt_index hint) {
+    const paradt_index *owner = d->column[PARADT__OWNER];
+    paradt_index position = -1;
+    size_t bucket;
+    if (hint >= 0 && (size_t)hint < d->now.ids) position = paradt__living_get(d, PARADT__POSITION, hint);
+    if (position < 0) position = paradt__starts_at(&d->starts, record, &bucket);
+    if (position < 0 || (size_t)position >= d->now.positions || owner[position] < 0)
+        return paradt__insertion_start(&d->build);
+    return paradt__living_get(d, PARADT__CELL, position);
+}
+
+// Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; near: a cell nearby,
+// or negative
+static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record, paradt_index hint,
+                                           paradt_index near) {
     paradt__scene *scene = &d->build.scene;
     paradt_index cell, position;
     paradt_status status;
@@ -23764,7 +23788,7 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     }
     paradt__living_measure(d, record);
     if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
-    cell = paradt__walk(scene, paradt__living_start(d, hint), record);
+    cell = paradt__walk(scene, near < 0 ? paradt__living_start(d, record, hint) : near, record);
     paradt__living_start_at(d, cell);
     position = paradt__living_vertex_at(d, cell, record);
     if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
@@ -23778,6 +23802,7 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     paradt__living_set(d, PARADT__POSITION, id, position);
     paradt__living_set(d, PARADT__OWNER, position, id);
     paradt__living_write(d, position, record);
+    paradt__starts_put(&d->starts, record, position);
     return paradt__living_enter(d, position, cell);
 }
 
@@ -23877,7 +23902,8 @@ static paradt_status paradt__living_move(paradt_dynamic *d, paradt_index id, con
     if (status || done) return status;
     status = paradt__living_remove(d, id);
     if (!status && d->weighted) status = paradt__living_note_weight(d, id, record[d->ambient]);
-    return status ? status : paradt__living_insert(d, id, record, -1);
+    return status ? status
+                  : paradt__living_insert(d, id, record, -1, d->dim > 0 ? paradt__insertion_start(&d->build) : -1);
 }
 
 // --- a set anew
@@ -24395,7 +24421,7 @@ static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *
         switch (change->kind) {
         case PARADT__INSERTION:
             if (d->weighted) d->weights[id] = record[d->ambient];
-            status = paradt__living_insert(d, id, record, change->hint);
+            status = paradt__living_insert(d, id, record, change->hint, -1);
             d->now.points++;
             break;
         case PARADT__REMOVAL:
@@ -24420,14 +24446,11 @@ static int paradt__change_is_large(const paradt_dynamic *d, const paradt__change
 static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *change) {
     paradt_status status;
     paradt__living_begin(d);
+    if (change->kind == PARADT__INSERTION) paradt__living_make_starts(d);
     status = paradt__change_number(d, change);
-    if (!status && d->dim >= 0 && !paradt__change_is_large(d, change)) {
-        paradt_index next = d->now.free_id;
-        (void)next;
-        status = paradt__change_do(d, change);
-    } else if (!status) {
-        status = PARADT__GAVE_UP;
-    }
+    if (!status)
+        status = d->dim < 0 || paradt__change_is_large(d, change) ? (paradt_status)PARADT__GAVE_UP
+                                                                  : paradt__change_do(d, change);
     if (!status) {
         if (d->dim > 0) paradt__living_publish(d);
         return PARADT_OK;
