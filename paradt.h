@@ -17327,7 +17327,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 }
 #endif
 
-#ifndef PARADT_NO_HULLS
+#if !defined(PARADT_NO_HULLS) || !defined(PARADT_NO_VORONOI)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>minors
 //
@@ -17392,7 +17392,9 @@ PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, 
     *error = paradt__minors_factor(k) * sizes + PARADT__ROUNDOFF * (terms + 4) * squares;
     return squares;
 }
+#endif
 
+#ifndef PARADT_NO_HULLS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>hull points
 //
@@ -20034,7 +20036,7 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
 }
 #endif // PARADT_NO_FLIPS
 
-#ifndef PARADT_NO_MEASURES
+#if !defined(PARADT_NO_MEASURES) || !defined(PARADT_NO_VORONOI)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>measures of a cell
 //
@@ -24772,6 +24774,8 @@ typedef struct paradt__diagram {
     double tiny;         // more than what underflow adds to a determinant
     paradt__voronoi_wall *walls; // [wall_count] 2 d bounds of the box, then planes
     size_t wall_count;
+    int odd;             // the axes are an odd permutation of the caller's
+    int nothing;         // the box has a lower bound above the upper
     double *centres;     // [cells][d + 1] a vertex of the diagram, as far as nothing clips it; and its error
     unsigned char *kind; // [set.count] PARADT__CELL_* bits
     paradt__memory *memory;
@@ -24800,6 +24804,7 @@ PARADT__INLINE void paradt__diagram_bisector(const paradt__diagram *g, paradt_in
     const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
     double squares = 0;
     int j;
+    PARADT__UNROLL
     for (j = 0; j < d; j++) {
         h->normal[j] = to[j] - from[j];
         squares += h->normal[j] * h->normal[j];
@@ -24997,11 +25002,13 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
     const double *base = paradt__diagram_point(g, vertices[0]);
     double y[PARADT_MAX_DIM + 1], largest = 0;
     int i, known;
+    PARADT__UNROLL
     for (i = 0; i < d; i++) {
         paradt__diagram_bisector(g, vertices[0], vertices[i + 1], planes + i, d);
         h[i] = planes + i;
     }
     known = paradt__diagram_meet(g, h, d, 0, y);
+    PARADT__UNROLL
     for (i = 0; i < d; i++) {
         centre[i] = base[i] + y[i];
         largest = paradt__larger(largest, paradt__abs(centre[i]));
@@ -25108,6 +25115,7 @@ PARADT__NOINLINE int paradt__centres_agree(const paradt__diagram *g, paradt__spa
 PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int d) {
     double error = (a[d] + b[d]) * (1 + 4 * PARADT__ROUNDOFF);
     int j, differ = 0;
+    PARADT__UNROLL
     for (j = 0; j < d; j++) differ |= paradt__abs(a[j] - b[j]) * (1 - 4 * PARADT__ROUNDOFF) > error;
     return differ;
 }
@@ -25253,7 +25261,7 @@ PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *do
         next = g->centres + (size_t)at * 4;
         changes += paradt__centres_differ(last, next, 3);
         corners++;
-        for (j = 0; j < 3; j++) b[j] = next[j] - first[j];
+        b[0] = next[0] - first[0], b[1] = next[1] - first[1], b[2] = next[2] - first[2];
         error = paradt__larger(error, next[3]);
         {
             double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
@@ -25261,13 +25269,14 @@ PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *do
             if (moments) {
                 double part = x * normal[0] + y * normal[1] + z * normal[2];
                 along += part;
-                for (j = 0; j < 3; j++) moment[j] += part * (a[j] + b[j]);
+                moment[0] += part * (a[0] + b[0]);
+                moment[1] += part * (a[1] + b[1]);
+                moment[2] += part * (a[2] + b[2]);
             }
         }
-        for (j = 0; j < 3; j++) {
-            size = paradt__larger(size, paradt__abs(b[j]));
-            a[j] = b[j];
-        }
+        size = paradt__larger(paradt__larger(size, paradt__abs(b[0])),
+                              paradt__larger(paradt__abs(b[1]), paradt__abs(b[2])));
+        a[0] = b[0], a[1] = b[1], a[2] = b[2];
         last = next;
     } while (at != cell);
     (void)begin;
@@ -25339,8 +25348,10 @@ PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const parad
     const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
     double square = 0, size, part;
     int side, j;
+    PARADT__UNROLL
     for (j = 0; j < d; j++) square += normal[j] * normal[j];
     part = 1 / (2 * d * square);
+    PARADT__UNROLL
     for (side = 0; side < 2; side++) { // (h |normal|) (A |normal|) / (d |normal|^2)
         double *sums = paradt__tally_of(tally, side ? q : p), offset = square, volume;
         size = square;
@@ -25604,6 +25615,1437 @@ static paradt_status paradt__faces_make(paradt__diagram *g, const paradt__team *
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>planes of a cell
+//
+// Where planes of the cell of a point p meet, and on which side of another plane, in integers: what floating point left
+// undecided. Let 2^u divide all coordinates and 2^2u all weights that matter. With a = 2^u A, |a|^2 + w_p - w_q = 2^2u L
+// and z = 2^(1 - u) y the plane between p and q is A . z = L. A wall's normal is 2^v B, where v is so small that 2^(u +
+// v - 1) divides o, and the wall is B . z = C with o - n . p = 2^(u + v - 1) C. A far wall of the normal B is B . z = M.
+//
+// Let d planes meet in y, their normals positively oriented as rows. The determinant of their rows and another plane's,
+// each of a normal and an offset, is then positive if y is strictly inside of that plane, and 0 if it is on it. With far
+// walls the offsets of the others count as 0 first; if that determinant is 0, those of the far walls do.
+// By Cramer's rule y is 2^(u - 1) times a quotient of determinants.
+// Doors: paradt__exact_above, paradt__exact_meet, paradt__exact_free, struct paradt__exact_work.
+
+// Memory of a task for integers
+typedef struct paradt__exact_work {
+    paradt__memory *memory;
+    paradt__digit *digits;
+    paradt__wide *sum;
+    size_t digits_room, sum_room;
+    paradt_status status; // MEMORY: there was none, and what is returned means nothing
+} paradt__exact_work;
+
+static void paradt__exact_free(paradt__exact_work *work) {
+    paradt__release(work->memory, work->digits);
+    paradt__release(work->memory, work->sum);
+    work->digits = NULL;
+    work->sum = NULL;
+    work->digits_room = work->sum_room = 0;
+}
+
+// The rows of some planes of a cell
+typedef struct paradt__exact_rows {
+    const paradt__diagram *g;
+    const double *base; // p
+    int n;
+    const paradt__halfspace *plane[PARADT__MAX_ROWS];
+    int unit, bits;                  // 2^unit divides all coordinates; normals are below 2^bits
+    int offset_bits;                 // and offsets below 2^offset_bits
+    int wall_unit[PARADT__MAX_ROWS]; // v of a wall
+} paradt__exact_rows;
+
+PARADT__INLINE const paradt__wall *paradt__exact_wall(const paradt__exact_rows *rows, int i) {
+    return rows->g->walls + (size_t)(-1 - rows->plane[i]->side);
+}
+
+// Begins rows: finds the units and how many bits numbers have.
+static void paradt__exact_begin(paradt__exact_rows *rows, const paradt__diagram *g, paradt_index p, int n,
+                                const paradt__halfspace *const *planes) {
+    paradt__range x = paradt__no_range, w = paradt__no_range;
+    int d = g->d, i, j, top;
+    rows->g = g;
+    rows->base = paradt__record(&g->set, p);
+    rows->n = n;
+    for (j = 0; j < d; j++) paradt__measure(&x, rows->base[j]);
+    if (g->weighted) paradt__measure(&w, rows->base[d]);
+    for (i = 0; i < n; i++) {
+        const double *q;
+        rows->plane[i] = planes[i];
+        if (planes[i]->side < 0) continue;
+        q = paradt__record(&g->set, planes[i]->side);
+        for (j = 0; j < d; j++) paradt__measure(&x, q[j]);
+        if (g->weighted) paradt__measure(&w, q[d]);
+    }
+    if (x.unit > x.top) x.unit = x.top = 0;
+    rows->unit = paradt__min(x.unit, (w.unit - (w.unit & 1)) / 2);
+    rows->bits = x.top + 1 - rows->unit;
+    top = x.top - rows->unit;
+    rows->offset_bits = paradt__max(2 * rows->bits + 4, w.top + 2 - 2 * rows->unit);
+    for (i = 0; i < n; i++) {
+        paradt__range normal = paradt__no_range, offset = paradt__no_range;
+        const paradt__wall *wall;
+        int v;
+        if (planes[i]->side >= 0) continue;
+        wall = paradt__exact_wall(rows, i);
+        for (j = 0; j < d; j++) paradt__measure(&normal, wall->normal[j]);
+        if (!wall->far) paradt__measure(&offset, wall->offset);
+        v = normal.unit;
+        if (offset.unit <= offset.top) v = paradt__min(v, offset.unit - rows->unit + 1);
+        rows->wall_unit[i] = v;
+        rows->bits = paradt__max(rows->bits, normal.top - v);
+        // o and the 2 d <= 16 products that make up 2 n . p
+        if (offset.unit <= offset.top) offset.top -= v + rows->unit - 1;
+        rows->offset_bits = paradt__max(rows->offset_bits, paradt__max(offset.top, normal.top - v + top + 5) + 1);
+    }
+}
+
+// --- numbers that fit
+
+// Fills small integers. Returns 0 if they do not fit.
+static int paradt__exact_small(const paradt__exact_rows *rows, paradt__fixed *f, int far) {
+    const paradt__diagram *g = rows->g;
+    int d = g->d, i, j;
+    uint64_t lost = 0;
+    if (rows->bits > 58 || rows->offset_bits > PARADT__WIDE_BITS - 5) return 0;
+    for (i = 0; i < rows->n; i++) {
+        const paradt__halfspace *plane = rows->plane[i];
+        paradt__wide offset = 0;
+        if (plane->side >= 0) {
+            const double *q = paradt__record(&g->set, plane->side);
+            for (j = 0; j < d; j++) {
+                int64_t x = paradt__fix(q[j], rows->unit, &lost) - paradt__fix(rows->base[j], rows->unit, &lost);
+                f->x[i][j] = x;
+                offset += (paradt__wide)x * x;
+            }
+            for (j = 0; j < 2 && g->weighted; j++) { // + w_p - w_q
+                double weight = j ? q[d] : rows->base[d];
+                int shift;
+                paradt__wide m = (paradt__wide)paradt__mantissa(weight, 2 * rows->unit, &shift);
+                m *= (paradt__wide)1 << shift;
+                offset += (paradt__bits(weight) >> 63) == (uint64_t)j ? m : -m;
+            }
+            if (far) offset = 0;
+        } else {
+            const paradt__wall *wall = paradt__exact_wall(rows, i);
+            int shift, v = rows->wall_unit[i];
+            for (j = 0; j < d; j++) {
+                int64_t x = paradt__fix(wall->normal[j], v, &lost);
+                f->x[i][j] = x;
+                offset -= 2 * (paradt__wide)x * paradt__fix(rows->base[j], rows->unit, &lost);
+            }
+            if (!wall->far) {
+                paradt__wide m = (paradt__wide)paradt__mantissa(wall->offset, v + rows->unit - 1, &shift);
+                m *= (paradt__wide)1 << shift;
+                offset += paradt__bits(wall->offset) >> 63 ? -m : m;
+            }
+            if (far || wall->far) offset = far && wall->far;
+        }
+        f->lift[i] = offset;
+    }
+    PARADT_ASSERT(!lost);
+    return 1;
+}
+
+// --- numbers of any length
+
+static int paradt__exact_room(paradt__exact_work *work, size_t digits, size_t sum) {
+    if (digits > work->digits_room) {
+        paradt__release(work->memory, work->digits);
+        work->digits_room = 0;
+        work->digits = (paradt__digit *)paradt__alloc(work->memory, digits, sizeof *work->digits);
+        if (!work->digits) return 0;
+        work->digits_room = digits;
+    }
+    if (sum > work->sum_room) {
+        paradt__release(work->memory, work->sum);
+        work->sum_room = 0;
+        work->sum = (paradt__wide *)paradt__alloc(work->memory, sum, sizeof *work->sum);
+        if (!work->sum) return 0;
+        work->sum_room = sum;
+    }
+    return 1;
+}
+
+// Writes an offset, a number of `count` digits. scratch: for two numbers of `digits` digits
+static void paradt__exact_offset(const paradt__exact_rows *rows, int i, int far, paradt__digit *out, int count,
+                                 const paradt__digit *normal, int digits, paradt__digit *scratch, paradt__wide *sum) {
+    const paradt__diagram *g = rows->g;
+    const paradt__halfspace *plane = rows->plane[i];
+    int d = g->d, j, used = 8, is_far = plane->side < 0 && paradt__exact_wall(rows, i)->far;
+    paradt__clear_any(sum, count);
+    if (far || is_far) {
+        sum[0] = far && is_far;
+    } else if (plane->side >= 0) {
+        for (j = 0; j < d; j++, normal += digits) {
+            paradt__make_room(sum, count, &used, digits);
+            paradt__multiply_add_any(sum, 1, normal, digits, normal, digits);
+        }
+        if (g->weighted)
+            paradt__add_difference(sum, 1, rows->base[d], paradt__record(&g->set, plane->side)[d], 2 * rows->unit);
+    } else {
+        const paradt__wall *wall = paradt__exact_wall(rows, i);
+        paradt__wide *number = sum + count; // room for one number more
+        for (j = 0; j < d; j++, normal += digits) {
+            paradt__clear_any(number, digits);
+            paradt__add_difference(number, 1, rows->base[j], 0, rows->unit);
+            paradt__store_any(scratch, number, digits);
+            paradt__make_room(sum, count, &used, 2 * digits);
+            paradt__multiply_add_any(sum, -1, normal, digits, scratch, digits);
+            paradt__multiply_add_any(sum, -1, normal, digits, scratch, digits);
+        }
+        paradt__add_difference(sum, 1, wall->offset, 0, rows->wall_unit[i] + rows->unit - 1);
+    }
+    paradt__store_any(out, sum, count);
+}
+
+// The determinant of the rows. column: of a normal's columns, one is left out (-1: none); offsets: is there a column of
+// offsets? Its digits are in the work's memory from `at` on. Returns how many of that memory are taken, 0: there is
+// none.
+static size_t paradt__exact_determinant(paradt__exact_work *work, const paradt__exact_rows *rows, int left_out,
+                                        int offsets, int far, size_t at, paradt__integer *out) {
+    const paradt__diagram *g = rows->g;
+    int d = g->d, i, j, columns = d - (left_out >= 0), n = rows->n, place;
+    paradt__determinant q = {0, 0, 0, 0, NULL, NULL};
+    paradt__layout y = {0, 0, 0, 0, 0, 0};
+    paradt__minors m;
+    const paradt__digit *made;
+    size_t row, needed, longest;
+    paradt__digit *normals, *out_rows, *numbers;
+    q.n = n, q.k = columns, q.d = columns;
+    y.bits = rows->bits;
+    y.digits = paradt__digit_count(y.bits);
+    y.lift_bits = rows->offset_bits;
+    y.lift_digits = paradt__digit_count(y.lift_bits);
+    PARADT_ASSERT(n == columns + offsets);
+    m.whole = &q, m.layout = &y, m.rows = NULL, m.first = 0;
+    row = (size_t)(columns * y.digits + offsets * y.lift_digits);
+    longest = (size_t)(paradt__minor_digits(&m, n) + y.lift_digits + 2 * y.digits + 8);
+    needed = at + longest + (size_t)n * row + (size_t)((d + 2) * y.digits) +
+             (size_t)(paradt__minors_space(&m, n, 0) + paradt__minors_space(&m, n, 1)) + 8;
+    if (at) { // what is there stays
+        if (needed > work->digits_room) return 0;
+    } else if (!paradt__exact_room(work, 4 * needed, 4 * longest)) {
+        work->status = PARADT_ERROR_MEMORY;
+        return 0;
+    }
+    out_rows = work->digits + at + longest;
+    normals = out_rows + (size_t)n * row;
+    numbers = normals + (size_t)((d + 2) * y.digits);
+    for (i = 0; i < n; i++) {
+        const paradt__halfspace *plane = rows->plane[i];
+        paradt__digit *to = out_rows + (size_t)i * row;
+        for (j = 0; j < d; j++) {
+            paradt__clear_any(work->sum, y.digits);
+            if (plane->side >= 0)
+                paradt__add_difference(work->sum, 1, paradt__record(&g->set, plane->side)[j], rows->base[j],
+                                       rows->unit);
+            else
+                paradt__add_difference(work->sum, 1, paradt__exact_wall(rows, i)->normal[j], 0, rows->wall_unit[i]);
+            paradt__store_any(normals + j * y.digits, work->sum, y.digits);
+        }
+        for (j = 0, place = 0; j < d; j++) {
+            if (j == left_out) continue;
+            memcpy(to + place++ * y.digits, normals + j * y.digits, (size_t)y.digits * sizeof *to);
+        }
+        if (offsets)
+            paradt__exact_offset(rows, i, far, to + columns * y.digits, y.lift_digits, normals, y.digits,
+                                 normals + d * y.digits, work->sum);
+    }
+    m.rows = out_rows;
+    made = paradt__determinant_digits(&m, numbers, work->sum, 1, &place);
+    memcpy(work->digits + at, made, (size_t)place * sizeof *made);
+    while (place > 1 && !work->digits[at + (size_t)place - 1]) place--;
+    out->digits = work->digits + at;
+    out->count = place;
+    return at + (size_t)place;
+}
+
+// --- signs and places
+
+// The sign of the determinant of d + 1 planes
+static int paradt__exact_sign(paradt__exact_work *work, const paradt__exact_rows *rows, int far) {
+    int d = rows->g->d;
+    paradt__integer determinant;
+    if (d * rows->bits + rows->offset_bits + paradt__log_factorial[d + 1] <= PARADT__WIDE_BITS) {
+        paradt__fixed f;
+        if (paradt__exact_small(rows, &f, far)) return paradt__small_sign(&f, d + 1, d, d <= 3);
+    }
+    if (!paradt__exact_determinant(work, rows, -1, 1, far, 0, &determinant)) return 0;
+    return paradt__integer_sign(determinant);
+}
+
+// On which side of planes[d] do planes[0..d-1] meet, whose normals are positively oriented? 1: strictly outside, 0: on
+// it, -1: strictly inside. p: whose cell it is
+PARADT__COLD int paradt__exact_above(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
+                                     const paradt__halfspace *const *planes) {
+    paradt__exact_rows rows;
+    int i, far = 0, sign = 0;
+    paradt__exact_begin(&rows, g, p, g->d + 1, planes);
+    for (i = 0; i <= g->d; i++) far |= planes[i]->far;
+    if (far) sign = paradt__exact_sign(work, &rows, 1);
+    if (!sign) sign = paradt__exact_sign(work, &rows, 0);
+    return -sign;
+}
+
+// Finds where d planes meet. far: of y = A + M B finds B. Fills y[d], each the double nearest to the true one: of y in
+// scaled coordinates, where nothing is rounded again but what the scale makes subnormal, or with `absolute` of p + y as
+// the caller counts. Fills y[d] with a bound of the error.
+PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
+                                     const paradt__halfspace *const *planes, int far, int absolute, double *y) {
+    paradt__exact_rows rows;
+    paradt__integer determinant, numerator;
+    int d = g->d, j, exact = 1, digits;
+    size_t used, more;
+    double largest = 0;
+    paradt__exact_begin(&rows, g, p, d, planes);
+    digits = paradt__digit_count(rows.bits);
+    for (j = 0; j <= d; j++) y[j] = 0;
+    // the first call makes the room: of a numerator, which is longer than the determinant
+    if (!paradt__exact_determinant(work, &rows, d - 1, 1, far, 0, &numerator)) return;
+    used = paradt__exact_determinant(work, &rows, -1, 0, far, 0, &determinant);
+    if (!used || !paradt__integer_sign(determinant)) return;
+    for (j = 0; j < d; j++) {
+        paradt__quotient quotient;
+        more = paradt__exact_determinant(work, &rows, j, 1, far, used, &numerator);
+        PARADT_ASSERT(more);
+        if (!more) return;
+        if ((d - 1 - j) & 1 || absolute) { // N_j, and 2^(1 - u) p_j times the determinant
+            const paradt__digit one = 1;
+            paradt__digit *base = work->digits + more, *sum = base + digits;
+            int length = paradt__max(numerator.count, determinant.count + digits) + 2, used_up = 8;
+            paradt__clear_any(work->sum, digits);
+            paradt__add_difference(work->sum, 1, rows.base[j], 0, rows.unit);
+            paradt__store_any(base, work->sum, digits);
+            paradt__clear_any(work->sum, length);
+            paradt__multiply_add_any(work->sum, (d - 1 - j) & 1 ? -1 : 1, &one, 1, numerator.digits, numerator.count);
+            for (int twice = 0; twice < 2 && absolute; twice++) {
+                paradt__make_room(work->sum, length, &used_up, digits);
+                paradt__multiply_add_any(work->sum, 1, base, digits, determinant.digits, determinant.count);
+            }
+            paradt__store_any(sum, work->sum, length);
+            while (length > 1 && !sum[length - 1]) length--;
+            numerator.digits = sum;
+            numerator.count = length;
+            more += (size_t)(digits + length + 2);
+        }
+        quotient.a = numerator;
+        quotient.b = determinant;
+        quotient.a_sign = paradt__integer_sign(numerator);
+        quotient.b_sign = paradt__integer_sign(determinant);
+        quotient.exponent = far ? 0 : rows.unit - 1;
+        quotient.work = work->digits + more;
+        quotient.sum = work->sum;
+        y[j] = quotient.a_sign ? paradt__quotient_round(&quotient) : 0;
+        if (!far && !absolute && g->shift) y[j] = paradt__scale(y[j], -g->shift, &exact);
+        largest = paradt__larger(largest, paradt__abs(y[j]));
+    }
+    y[d] = PARADT__ROUNDOFF * largest + paradt__power(-1022);
+    if (!(largest < paradt__power(1000))) y[d] = HUGE_VAL;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>clipped cell
+//
+// The cell of a point p as the intersection of half-spaces, in any dimension: it begins as the box, which may have far
+// walls, and is clipped by planes one after another. The boundary's dual is a mesh: a vertex of the cell is a cell of
+// the mesh, with the numbers of the d planes that it is on, and links along the d edges that it is on, which leave one
+// plane each. Clipping is insertion into that mesh: the vertices outside of the plane are a cavity, and the plane is
+// joined with its rim (>>insertion).
+//
+// Only signs decide, exact ones. Each plane is thought to be shifted outward by an infinitesimal distance that is
+// overwhelmingly larger than those of all planes before it. So a vertex on a new plane is inside of it, every vertex is
+// on d planes, and no sign needs a rule for ties. What this adds to the true cell has no size: vertices that coincide,
+// and faces without a measure, which are told from others exactly in the end. Of planes that coincide the first one
+// counts. The normals of a vertex's planes, in the order of its row, are positively oriented throughout.
+//
+// The idea of a cell as planes with vertices that are triples of them is B. Levy's (Geogram's ConvexCell; Ray, Sokolov,
+// Lefebvre, Levy: Meshless Voronoi on the GPU, ACM Transactions on Graphics 37, 2018).
+// Doors: paradt__convex_*, struct paradt__convex.
+
+typedef struct paradt__convex {
+    const paradt__diagram *g;
+    paradt_index p;
+    int d;
+    paradt__insertion build;    // its mesh is the boundary's dual; rim and update are those of the last plane
+    paradt__halfspace *planes;  // [plane_capacity]
+    size_t plane_count, plane_capacity;
+    double *places;             // [place_capacity][2 (d + 1)] of vertices: A and its error, B and its error
+    unsigned char *far;         // [place_capacity] 1: the vertex is on a far wall, and B is there
+    size_t place_capacity;
+    paradt__exact_work exact;
+    int empty;                  // nothing is left
+    // made by paradt__convex_settle
+    int merged, unbounded, flat; // some vertices coincide; some are far; the cell has no measure
+    paradt_index *same;         // [place_capacity] of vertices that coincide: one of them
+    paradt_index *entry;        // [plane_capacity] the handle of a plane at a vertex; -1: it is at none
+    unsigned char *real;        // [plane_capacity] the face on the plane has a measure
+    size_t same_capacity, entry_capacity;
+    paradt__memory *memory;
+} paradt__convex;
+
+static void paradt__convex_begin(paradt__convex *c, const paradt__diagram *g, paradt__memory *memory) {
+    memset(c, 0, sizeof *c);
+    c->g = g;
+    c->d = g->d;
+    c->memory = c->build.memory = c->exact.memory = memory;
+    paradt__mesh_begin(&c->build.scene.mesh, g->d, 1);
+}
+
+static void paradt__convex_free(paradt__convex *c) {
+    paradt__mesh_free(&c->build.scene.mesh, c->memory);
+    paradt__release(c->memory, c->build.rim);
+    paradt__release(c->memory, c->build.update.killed);
+    paradt__release(c->memory, c->build.update.made);
+    paradt__release(c->memory, c->planes);
+    paradt__release(c->memory, c->places);
+    paradt__release(c->memory, c->far);
+    paradt__release(c->memory, c->same);
+    paradt__release(c->memory, c->entry);
+    paradt__release(c->memory, c->real);
+    paradt__exact_free(&c->exact);
+}
+
+PARADT__INLINE double *paradt__convex_place(const paradt__convex *c, size_t vertex) {
+    return c->places + vertex * 2 * (size_t)(c->d + 1);
+}
+
+// The plane with number `i` of those that a vertex is on
+PARADT__INLINE const paradt__halfspace *paradt__convex_plane(const paradt__convex *c, size_t vertex, int i) {
+    return c->planes + c->build.scene.mesh.vertices[vertex * (size_t)c->d + (size_t)i];
+}
+
+// Makes room for `count` vertices.
+static paradt_status paradt__convex_room(paradt__convex *c, size_t count) {
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt_status status = PARADT_OK;
+    void *places = c->places, *far = c->far;
+    size_t capacity, used = mesh->count, row = 2 * (size_t)(c->d + 1) * sizeof(double);
+    if (count > mesh->capacity) status = paradt__mesh_reserve(mesh, count, count + count / 2 + 64, c->memory);
+    if (status || mesh->capacity <= c->place_capacity) return status;
+    capacity = mesh->capacity;
+    if (used > c->place_capacity) used = c->place_capacity;
+    if (!paradt__grow(c->memory, &places, used, capacity, row)) return PARADT_ERROR_MEMORY;
+    c->places = (double *)places;
+    if (!paradt__grow(c->memory, &far, used, capacity, 1)) return PARADT_ERROR_MEMORY;
+    c->far = (unsigned char *)far;
+    c->place_capacity = capacity;
+    return PARADT_OK;
+}
+
+static paradt_status paradt__convex_plane_room(paradt__convex *c) {
+    void *planes = c->planes;
+    size_t capacity = c->plane_capacity * 2 + 64;
+    if (c->plane_count < c->plane_capacity) return PARADT_OK;
+    if (!paradt__grow(c->memory, &planes, c->plane_count, capacity, sizeof *c->planes)) return PARADT_ERROR_MEMORY;
+    c->planes = (paradt__halfspace *)planes;
+    c->plane_capacity = capacity;
+    return PARADT_OK;
+}
+
+// Finds where a vertex is.
+PARADT__INLINE void paradt__convex_find(paradt__convex *c, size_t vertex, int d) {
+    const paradt__halfspace *h[PARADT_MAX_DIM];
+    double *y = paradt__convex_place(c, vertex);
+    int i, far = 0;
+    for (i = 0; i < d; i++) {
+        h[i] = paradt__convex_plane(c, vertex, i);
+        far |= h[i]->far;
+    }
+    c->far[vertex] = (unsigned char)far;
+    if (!paradt__diagram_meet(c->g, h, d, 0, y)) paradt__exact_meet(&c->exact, c->g, c->p, h, 0, 0, y);
+    if (far && !paradt__diagram_meet(c->g, h, d, 1, y + d + 1))
+        paradt__exact_meet(&c->exact, c->g, c->p, h, 1, 0, y + d + 1);
+}
+
+// Is a vertex outside of a plane? 1, 0: on it, -1: inside
+PARADT__INLINE int paradt__convex_above(paradt__convex *c, size_t vertex, const paradt__halfspace *plane, int d) {
+    const double *y = paradt__convex_place(c, vertex);
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    int i, sign = c->far[vertex] ? paradt__diagram_above(c->g, plane, y + d + 1, d, 1)
+                                 : paradt__diagram_above(c->g, plane, y, d, 0);
+    if (PARADT__LIKELY(sign != PARADT__UNDECIDED)) return sign;
+    for (i = 0; i < d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[d] = plane;
+    return paradt__exact_above(&c->exact, c->g, c->p, h);
+}
+
+// Begins the cell of p: the box.
+static paradt_status paradt__convex_reset(paradt__convex *c, paradt_index p) {
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    int d = c->d, i, j;
+    size_t corner, corners = (size_t)1 << d;
+    paradt_status status = PARADT_OK;
+    mesh->count = mesh->spare_count = 0;
+    c->p = p;
+    c->plane_count = 0;
+    c->empty = 0;
+    for (i = 0; i < 2 * d && !status; i++) {
+        status = paradt__convex_plane_room(c);
+        if (!status) paradt__diagram_wall(c->g, p, (size_t)i, &c->planes[c->plane_count++]);
+    }
+    if (!status) status = paradt__convex_room(c, corners);
+    if (status) return status;
+    mesh->count = corners;
+    memset(mesh->marks, 0, corners);
+    for (corner = 0; corner < corners; corner++) {
+        paradt_index *vertices = mesh->vertices + corner * (size_t)d, *links = mesh->links + corner * (size_t)d;
+        int axes[PARADT_MAX_DIM], negative = 0;
+        // the walls of axis axes[j] come to place j: wall j of the box is along the caller's axis j
+        for (j = 0; j < d; j++) {
+            axes[j] = j;
+            negative ^= !(corner >> j & 1);
+        }
+        negative ^= c->g->odd;
+        if (negative) axes[0] = 1, axes[1] = 0;
+        for (j = 0; j < d; j++) {
+            int upper = (int)(corner >> axes[j] & 1);
+            paradt_index other = (paradt_index)(corner ^ (size_t)1 << axes[j]);
+            vertices[j] = axes[j] + (upper ? d : 0);
+            // a neighbour has the other sign, so that its first two places are exchanged
+            links[j] = other * d + (axes[j] < 2 ? negative ? axes[j] : 1 - axes[j] : axes[j]);
+        }
+    }
+    for (corner = 0; corner < corners; corner++) paradt__convex_find(c, corner, d);
+    return c->exact.status;
+}
+
+// Digs the cavity: lists the vertices outside of the plane, and the rim. Returns how many are inside.
+PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt__halfspace *plane, size_t *inside,
+                                                int d) {
+    paradt__insertion *build = &c->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t vertex, i;
+    int j;
+    paradt_status status =
+        paradt__list_room(&update->killed, 0, &update->killed_capacity, mesh->count, c->memory);
+    if (!status)
+        status = paradt__list_room(&build->rim, 0, &build->rim_capacity, mesh->count * (size_t)d, c->memory);
+    if (status) return status;
+    update->killed_count = build->rim_count = 0;
+    *inside = 0;
+    for (vertex = 0; vertex < mesh->count; vertex++) {
+        if (mesh->vertices[vertex * (size_t)d] == PARADT__DEAD) continue;
+        if (paradt__convex_above(c, vertex, plane, d) > 0) {
+            mesh->marks[vertex] |= PARADT__CONFLICT;
+            update->killed[update->killed_count++] = (paradt_index)vertex * d;
+        } else {
+            ++*inside;
+        }
+    }
+    for (i = 0; i < update->killed_count; i++) {
+        for (j = 0; j < d; j++) {
+            paradt_index link = mesh->links[update->killed[i] + j];
+            if (!(mesh->marks[link / d] & PARADT__CONFLICT)) build->rim[build->rim_count++] = update->killed[i] + j;
+        }
+    }
+    return c->exact.status;
+}
+
+PARADT__INLINE paradt_status paradt__convex_clip_any(paradt__convex *c, int d) {
+    paradt__insertion *build = &c->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt_index number = (paradt_index)c->plane_count;
+    size_t inside, i;
+    paradt_status status = paradt__convex_dig(c, c->planes + number, &inside, d);
+    if (status) return status;
+    if (!inside) c->empty = 1;
+    if (c->empty || !build->update.killed_count) return PARADT_OK;
+    c->plane_count++;
+    status = paradt__convex_room(c, mesh->count + build->rim_count);
+    if (!status)
+        status = paradt__list_room(&build->update.made, 0, &build->update.made_capacity, build->rim_count, c->memory);
+    if (status) return status;
+    paradt__cavity_fill(build, number, d);
+    paradt__cavity_join(build, d);
+    status = paradt__mesh_spare_room(mesh, build->update.killed_count, c->memory);
+    if (status) return status;
+    for (i = 0; i < build->update.killed_count; i++) {
+        size_t vertex = (size_t)(build->update.killed[i] / d);
+        mesh->marks[vertex] = 0;
+        paradt__mesh_give(mesh, (paradt_index)vertex, (size_t)d);
+    }
+    for (i = 0; i < build->update.made_count; i++) {
+        size_t vertex = (size_t)(build->update.made[i] / d);
+        mesh->marks[vertex] = 0;
+        paradt__convex_find(c, vertex, d);
+    }
+    return c->exact.status;
+}
+
+// Clips the cell by planes[plane_count], which has been made there.
+static paradt_status paradt__convex_clip(paradt__convex *c) {
+    if (c->empty) return PARADT_OK;
+    switch (c->d) {
+    case 2: return paradt__convex_clip_any(c, 2);
+#if PARADT_MAX_DIM > 2
+    case 3: return paradt__convex_clip_any(c, 3);
+#endif
+    default: return paradt__convex_clip_any(c, c->d);
+    }
+}
+
+// Clips the cell by the plane between p and q.
+static paradt_status paradt__convex_clip_by_point(paradt__convex *c, paradt_index q) {
+    paradt_status status = paradt__convex_plane_room(c);
+    if (status) return status;
+    paradt__diagram_bisector(c->g, c->p, q, &c->planes[c->plane_count], c->d);
+    return paradt__convex_clip(c);
+}
+
+static paradt_status paradt__convex_clip_by_wall(paradt__convex *c, size_t wall) {
+    paradt_status status = paradt__convex_plane_room(c);
+    if (status) return status;
+    paradt__diagram_wall(c->g, c->p, wall, &c->planes[c->plane_count]);
+    return paradt__convex_clip(c);
+}
+
+// Do a vertex and its neighbour along an edge coincide?
+static int paradt__convex_coincide(paradt__convex *c, size_t vertex, int place) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, link = (size_t)mesh->links[vertex * d + (size_t)place], other = link / d;
+    const double *a = paradt__convex_place(c, vertex), *b = paradt__convex_place(c, other);
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    int i;
+    if (c->far[vertex] != c->far[other]) return 0;
+    if (c->far[vertex] ? paradt__centres_differ(a + d + 1, b + d + 1, c->d) : paradt__centres_differ(a, b, c->d))
+        return 0;
+    for (i = 0; i < c->d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[d] = c->planes + mesh->vertices[link];
+    return !paradt__exact_above(&c->exact, c->g, c->p, h);
+}
+
+// --- what is there in truth
+
+// The next vertex around a face in space or in the plane, counterclockwise seen from outside. handle: of the face's
+// plane at a vertex; returned is that at the next
+PARADT__INLINE paradt_index paradt__convex_next(const paradt__convex *c, paradt_index handle, int d) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt_index place = handle % d, first = handle - place, plane = mesh->vertices[handle], other, i;
+    other = mesh->links[first + (place + 1) % d];
+    first = other - other % d;
+    for (i = 0; i < d - 1; i++) {
+        if (mesh->vertices[first + i] == plane) break;
+    }
+    return first + i;
+}
+
+static paradt_index paradt__convex_root(paradt_index *same, paradt_index vertex) {
+    while (same[vertex] != vertex) vertex = same[vertex] = same[same[vertex]];
+    return vertex;
+}
+
+// Finds which vertices coincide.
+static paradt_status paradt__convex_merge(paradt__convex *c) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, vertex, i;
+    c->merged = 0;
+    for (vertex = 0; vertex < mesh->count; vertex++) c->same[vertex] = (paradt_index)vertex;
+    for (vertex = 0; vertex < mesh->count; vertex++) {
+        if (mesh->vertices[vertex * d] == PARADT__DEAD) continue;
+        for (i = 0; i < d; i++) {
+            paradt_index other = mesh->links[vertex * d + i] / c->d, a, b;
+            if ((size_t)other < vertex || !paradt__convex_coincide(c, vertex, (int)i)) continue;
+            a = paradt__convex_root(c->same, (paradt_index)vertex);
+            b = paradt__convex_root(c->same, other);
+            if (a < b) c->same[b] = a;
+            else c->same[a] = b;
+            c->merged = 1;
+        }
+    }
+    for (vertex = 0; vertex < mesh->count && c->merged; vertex++)
+        c->same[vertex] = paradt__convex_root(c->same, (paradt_index)vertex);
+    return c->exact.status;
+}
+
+// Has the face of a handle a measure, in space or in the plane? Its different vertices are corners of a convex polygon.
+// *all: are these all of the cell's, of which there are `different`?
+static int paradt__convex_few_real(const paradt__convex *c, paradt_index entry, size_t different, int *all) {
+    paradt_index at = entry, next;
+    size_t changes = 0;
+    do {
+        next = paradt__convex_next(c, at, c->d);
+        changes += c->same[at / c->d] != c->same[next / c->d];
+        at = next;
+    } while (at != entry && c->d > 2);
+    if (c->d == 2) changes *= 2; // there and back
+    *all = changes == different;
+    return changes > (size_t)(c->d > 2 ? 2 : 0);
+}
+
+// The same in higher dimensions, for all faces. Where the different vertices of a face have a second plane in common
+// it is less than a face.
+static paradt_status paradt__convex_many_real(paradt__convex *c) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, rows = mesh->count * d, i, j, plane, count;
+    paradt__keyed *tight; // which planes are at which of the different vertices
+    size_t *first, *seen;
+    tight = (paradt__keyed *)paradt__alloc(c->memory, 2 * rows + 2, sizeof *tight);
+    first = (size_t *)paradt__alloc(c->memory, mesh->count + 1, sizeof *first);
+    seen = (size_t *)paradt__alloc(c->memory, c->plane_count, sizeof *seen);
+    if (!tight || !first || !seen) {
+        paradt__release(c->memory, tight);
+        paradt__release(c->memory, first);
+        paradt__release(c->memory, seen);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = count = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * d] == PARADT__DEAD) continue;
+        for (j = 0; j < d; j++) {
+            tight[count].key = (uint64_t)c->same[i] << 32 | (uint64_t)mesh->vertices[i * d + j];
+            tight[count++].item = mesh->vertices[i * d + j];
+        }
+    }
+    paradt__keyed_sort(tight, tight + rows, count, 64, 0);
+    for (i = j = 0; i < count; i++) // each plane once
+        if (!i || tight[i].key != tight[i - 1].key) tight[j++] = tight[i];
+    count = j;
+    memset(first, 0, (mesh->count + 1) * sizeof *first);
+    for (i = 0; i < count; i++) first[(tight[i].key >> 32) + 1]++;
+    for (i = 0; i < mesh->count; i++) first[i + 1] += first[i];
+    for (plane = 0; plane < c->plane_count; plane++) {
+        size_t vertices = 0, shared = 0;
+        if (c->entry[plane] < 0) continue;
+        memset(seen, 0, c->plane_count * sizeof *seen);
+        for (i = 0; i < mesh->count; i++) {
+            int on = 0;
+            for (j = first[i]; j < first[i + 1]; j++) on |= (size_t)tight[j].item == plane;
+            if (!on) continue;
+            vertices++;
+            for (j = first[i]; j < first[i + 1]; j++) seen[tight[j].item]++;
+        }
+        for (i = 0; i < c->plane_count; i++) shared += seen[i] == vertices;
+        c->real[plane] = shared == 1;
+    }
+    paradt__release(c->memory, tight);
+    paradt__release(c->memory, first);
+    paradt__release(c->memory, seen);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__convex_settle_room(paradt__convex *c) {
+    size_t vertices = c->place_capacity, planes = c->plane_capacity;
+    if (vertices > c->same_capacity) {
+        paradt__release(c->memory, c->same);
+        c->same_capacity = 0;
+        c->same = (paradt_index *)paradt__alloc(c->memory, vertices, sizeof *c->same);
+        if (!c->same) return PARADT_ERROR_MEMORY;
+        c->same_capacity = vertices;
+    }
+    if (planes <= c->entry_capacity) return PARADT_OK;
+    paradt__release(c->memory, c->entry);
+    paradt__release(c->memory, c->real);
+    c->entry_capacity = 0;
+    c->real = NULL;
+    c->entry = (paradt_index *)paradt__alloc(c->memory, planes, sizeof *c->entry);
+    if (c->entry) c->real = (unsigned char *)paradt__alloc(c->memory, planes, 1);
+    if (!c->real) return PARADT_ERROR_MEMORY;
+    c->entry_capacity = planes;
+    return PARADT_OK;
+}
+
+// Ends clipping: finds what of the cell is there without the infinitesimal shifts.
+static paradt_status paradt__convex_settle(paradt__convex *c) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, i, plane, different = 0, real = 0;
+    int walled = 0, all;
+    paradt_status status = paradt__convex_settle_room(c);
+    c->unbounded = c->flat = c->merged = 0;
+    if (status || c->empty) return status;
+    for (i = 0; i < c->plane_count; i++) c->entry[i] = -1;
+    for (i = 0; i < mesh->count * d; i++) {
+        // in the plane a face begins where it is the second of the planes
+        if (mesh->vertices[i / d * d] != PARADT__DEAD && (d > 2 || i & 1)) c->entry[mesh->vertices[i]] = (paradt_index)i;
+    }
+    status = paradt__convex_merge(c);
+    if (status) return status;
+    for (i = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * d] == PARADT__DEAD) continue;
+        different += c->same[i] == (paradt_index)i;
+        c->unbounded |= c->far[i];
+    }
+    for (plane = 0; plane < c->plane_count; plane++) c->real[plane] = c->entry[plane] >= 0;
+    if (!c->merged) return PARADT_OK;
+    if (d > 3) status = paradt__convex_many_real(c);
+    for (plane = 0; plane < c->plane_count && !status; plane++) {
+        if (c->entry[plane] < 0) continue;
+        if (d <= 3) {
+            c->real[plane] = (unsigned char)paradt__convex_few_real(c, c->entry[plane], different, &all);
+            if (c->real[plane] && all) c->flat = 1;
+        }
+        real += c->real[plane];
+        walled |= c->real[plane] && c->planes[plane].side < 0;
+    }
+    c->flat |= !real;
+    // A cell that is nothing but a part of a wall is none, and its faces are that wall's. One that has no measure
+    // because a point lies between two others, in the sense of the power, stays between their cells.
+    if (c->flat && walled) c->empty = 1;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>measures of a clipped cell
+//
+// Volumes, and in space and in the plane centroids and the measures of faces. All simplices that are summed up have one
+// vertex of the cell in common and do not overlap, so that nothing cancels. Errors: those of the vertices, as in
+// >>Voronoi faces, and of the arithmetic.
+//
+// In higher dimensions a face of any dimension is divided from its first vertex into cones over those of its facets
+// that do not have that vertex, and these likewise (H. L. Cohen and T. Hickey, Two algorithms for determining volumes
+// of convex polyhedra, J. ACM 26, 1979). A vertex is on d planes, so the faces of a face are found by the planes that
+// its vertices are on. Determinants grow by a row at each step, by minors; with each goes the sum of its monomials'
+// sizes, and a bound of what the errors of entries contribute.
+// Doors: paradt__convex_measure, paradt__convex_measure_face, struct paradt__convex_sums.
+
+typedef struct paradt__convex_sums {
+    double volume, error;
+    double moment[PARADT_MAX_DIM]; // the integral of y
+} paradt__convex_sums;
+
+// A face's measure and centroid
+typedef struct paradt__convex_face {
+    double measure, centroid[PARADT_MAX_DIM]; // relative to p; the measure is infinite where the face is unbounded
+    double cone, error;                       // twice or six times the volume of the cone over it, and its error
+    double moment[3];
+} paradt__convex_face;
+
+// Measures a face of a cell in space or in the plane, and the cone from `apex` over it, in multiples of d!.
+static void paradt__convex_measure_face(const paradt__convex *c, paradt_index plane, const double *apex,
+                                        paradt__convex_face *face) {
+    const paradt__halfspace *h = c->planes + plane;
+    const int d = c->d;
+    paradt_index entry = c->entry[plane], at = entry;
+    const double *first = paradt__convex_place(c, (size_t)(entry / d));
+    double a[3] = {0}, b[3] = {0}, o[3] = {0}, area[3] = {0}, sum[3] = {0}, along = 0, square = 0, size = 0, error = 0;
+    double arm = 0, step, parts;
+    int j, corners = 0, far = 0;
+    for (j = 0; j < d; j++) {
+        o[j] = first[j] - apex[j];
+        arm = paradt__larger(arm, paradt__abs(o[j]));
+        square += h->normal[j] * h->normal[j];
+        face->moment[j] = 0;
+    }
+    face->cone = face->error = 0;
+    do {
+        const double *place = paradt__convex_place(c, (size_t)(at / d));
+        double cross[3] = {0}, part, cone;
+        far |= c->far[at / d];
+        for (j = 0; j < d; j++) {
+            b[j] = place[j] - first[j];
+            size = paradt__larger(size, paradt__abs(b[j]));
+        }
+        error = paradt__larger(error, place[d]);
+        if (d == 2) {
+            cone = o[0] * b[1] - o[1] * b[0];
+            part = h->normal[0] * b[1] - h->normal[1] * b[0];
+        } else {
+            cross[0] = a[1] * b[2] - a[2] * b[1];
+            cross[1] = a[2] * b[0] - a[0] * b[2];
+            cross[2] = a[0] * b[1] - a[1] * b[0];
+            part = cross[0] * h->normal[0] + cross[1] * h->normal[1] + cross[2] * h->normal[2];
+            cone = cross[0] * o[0] + cross[1] * o[1] + cross[2] * o[2];
+        }
+        face->cone += cone;
+        along += part;
+        for (j = 0; j < d; j++) {
+            area[j] += cross[j];
+            sum[j] += part * (a[j] + b[j]);
+            face->moment[j] += cone * (apex[j] + (d + 0.0) * first[j] + a[j] + b[j]);
+            a[j] = b[j];
+        }
+        corners++;
+        at = paradt__convex_next(c, at, d);
+    } while (at != entry);
+    error = paradt__larger(error, apex[d]);
+    step = 2 * error + PARADT__ROUNDOFF * size;
+    parts = corners; // one of the turns is empty
+    if (d == 2) {
+        // the turn comes back to the first vertex, and its part is 0 in the end
+        face->error = 2 * (arm * step + size * (2 * error + PARADT__ROUNDOFF * arm) + step * (2 * error) +
+                           6 * PARADT__ROUNDOFF * arm * size);
+    } else {
+        double turn = parts * (4 * size * step + 2 * step * step +
+                               (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
+        face->error = 3 * (arm + 2 * error) * turn +
+                      6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
+    }
+    face->measure = far ? HUGE_VAL : paradt__abs(along) / (d == 2 ? sqrt(square) : 2 * sqrt(square));
+    for (j = 0; j < d; j++) {
+        double fan = along > 0 || along < 0 ? sum[j] / ((d == 2 ? 2 : 3) * along) : 0;
+        face->centroid[j] = far ? NAN : first[j] + fan;
+    }
+}
+
+// --- higher dimensions
+
+// The state of the division of a cell
+typedef struct paradt__pulling {
+    const paradt__convex *c;
+    int d;
+    paradt_index *list;    // lists of vertices of faces, one behind the other
+    size_t list_room;
+    paradt_index *count;   // [d][planes] scratch of each depth: vertices of each facet
+    const double *origin;  // the first vertex
+    double entry_error;    // of the difference of two vertices
+    double minor[PARADT_MAX_DIM + 1][PARADT__MINORS], size[PARADT_MAX_DIM + 1][PARADT__MINORS],
+        slope[PARADT_MAX_DIM + 1][PARADT__MINORS]; // of so many rows, by the set of columns
+    double volume, error;
+    size_t simplices;
+    paradt__memory *memory;
+    paradt_status status;
+} paradt__pulling;
+
+// Adds the row to a vertex: makes the minors of `rows` + 1 rows.
+static void paradt__pulling_row(paradt__pulling *pull, int rows, paradt_index vertex) {
+    const double *place = paradt__convex_place(pull->c, (size_t)vertex);
+    const int d = pull->d;
+    double x[PARADT_MAX_DIM];
+    unsigned mask = (1u << (rows + 1)) - 1, rest;
+    int j;
+    for (j = 0; j < d; j++) x[j] = place[j] - pull->origin[j];
+    for (; mask < 1u << d; mask = paradt__next_subset(mask)) {
+        double sum = 0, size = 0, slope = 0;
+        for (rest = mask; rest; rest &= rest - 1) {
+            unsigned bit = rest & (0 - rest), without = mask ^ bit;
+            double entry = x[paradt__trailing_zeros(rest)];
+            sum = entry * pull->minor[rows][without] - sum;
+            size += paradt__abs(entry) * pull->size[rows][without];
+            slope += paradt__abs(entry) * pull->slope[rows][without] +
+                     pull->entry_error * (pull->size[rows][without] + pull->slope[rows][without]);
+        }
+        pull->minor[rows + 1][mask] = sum;
+        pull->size[rows + 1][mask] = size;
+        pull->slope[rows + 1][mask] = slope;
+    }
+}
+
+// Divides a face of the dimension d - depth: the vertices list[begin, end), and the planes that all of them are on.
+// Vertices that coincide are each other's: of a face only one of them would do, but the others add nothing.
+static void paradt__pulling_face(paradt__pulling *pull, int depth, size_t begin, size_t end, paradt_index *on) {
+    const paradt__mesh *mesh = &pull->c->build.scene.mesh;
+    const int d = pull->d;
+    paradt_index apex = pull->list[begin], *count, plane;
+    size_t i, planes = pull->c->plane_count;
+    int j;
+    if (depth) paradt__pulling_row(pull, depth - 1, apex);
+    if (depth == d) {
+        const unsigned all = (1u << d) - 1;
+        pull->volume += paradt__abs(pull->minor[d][all]);
+        pull->error += paradt__minors_factor(d) * pull->size[d][all] + pull->slope[d][all];
+        pull->simplices++;
+        return;
+    }
+    if (end + (end - begin) > pull->list_room) {
+        void *list = pull->list;
+        if (!paradt__grow(pull->memory, &list, end, 2 * end + 64, sizeof *pull->list)) {
+            pull->status = PARADT_ERROR_MEMORY;
+            return;
+        }
+        pull->list = (paradt_index *)list;
+        pull->list_room = 2 * end + 64;
+    }
+    count = pull->count + (size_t)depth * planes;
+    memset(count, 0, planes * sizeof *count);
+    for (i = begin; i < end; i++) {
+        const paradt_index *row = mesh->vertices + (size_t)pull->list[i] * (size_t)d;
+        for (j = 0; j < d; j++) count[row[j]]++;
+    }
+    for (j = 0; j < depth; j++) count[on[j]] = 0;
+    for (j = 0; j < d; j++) count[mesh->vertices[(size_t)apex * (size_t)d + (size_t)j]] = 0;
+    for (plane = 0; plane < (paradt_index)planes && !pull->status; plane++) {
+        size_t to = end;
+        if (!count[plane]) continue;
+        for (i = begin; i < end; i++) {
+            const paradt_index *row = mesh->vertices + (size_t)pull->list[i] * (size_t)d;
+            for (j = 0; j < d && row[j] != plane; j++) {
+            }
+            if (j < d) pull->list[to++] = pull->list[i];
+        }
+        on[depth] = plane;
+        paradt__pulling_face(pull, depth + 1, end, to, on);
+    }
+}
+
+// The volume of a bounded cell in higher dimensions
+static paradt_status paradt__convex_pull(const paradt__convex *c, paradt__memory *memory,
+                                         paradt__convex_sums *sums) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, i, count = 0;
+    paradt_index on[PARADT_MAX_DIM];
+    double error = 0, size = 0, factorial = 1;
+    int j;
+    paradt_status status;
+    paradt__pulling *pull = (paradt__pulling *)paradt__alloc(memory, 1, sizeof *pull);
+    if (!pull) return PARADT_ERROR_MEMORY;
+    memset(pull, 0, sizeof *pull);
+    pull->c = c;
+    pull->d = c->d;
+    pull->memory = memory;
+    pull->list_room = 4 * mesh->count;
+    pull->list = (paradt_index *)paradt__alloc(memory, pull->list_room, sizeof *pull->list);
+    pull->count = (paradt_index *)paradt__alloc(memory, d * c->plane_count, sizeof *pull->count);
+    if (!pull->list || !pull->count) pull->status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < mesh->count && !pull->status; i++) {
+        const double *place = paradt__convex_place(c, i);
+        if (mesh->vertices[i * d] == PARADT__DEAD) continue;
+        if (!count) pull->origin = place;
+        pull->list[count++] = (paradt_index)i;
+        error = paradt__larger(error, place[d]);
+        for (j = 0; j < c->d; j++) size = paradt__larger(size, paradt__abs(place[j] - pull->origin[j]));
+    }
+    if (!pull->status) {
+        pull->entry_error = 2 * error + PARADT__ROUNDOFF * size;
+        pull->minor[0][0] = pull->size[0][0] = 1;
+        paradt__pulling_face(pull, 0, 0, count, on);
+        for (j = 2; j <= c->d; j++) factorial *= j;
+        sums->volume = pull->volume / factorial;
+        sums->error = pull->error / factorial * (1 + 1e-6) +
+                      ((double)pull->simplices + 4) * PARADT__ROUNDOFF * sums->volume + c->g->tiny;
+    }
+    status = pull->status;
+    paradt__release(memory, pull->list);
+    paradt__release(memory, pull->count);
+    paradt__release(memory, pull);
+    return status;
+}
+
+// Measures a bounded cell that is settled and not empty.
+static paradt_status paradt__convex_measure(const paradt__convex *c, paradt__convex_sums *sums) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    const double *apex;
+    size_t vertex = 0, plane;
+    int d = c->d, j;
+    const double factorial = d == 2 ? 2 : 6;
+    memset(sums, 0, sizeof *sums);
+    if (c->flat) return PARADT_OK;
+    if (d > 3) return paradt__convex_pull(c, c->memory, sums);
+    while (mesh->vertices[vertex * (size_t)d] == PARADT__DEAD) vertex++;
+    apex = paradt__convex_place(c, vertex);
+    for (plane = 0; plane < c->plane_count; plane++) {
+        paradt__convex_face face;
+        if (c->entry[plane] < 0) continue;
+        for (j = 0; j < d && (size_t)mesh->vertices[vertex * (size_t)d + (size_t)j] != plane; j++) {
+        }
+        if (j < d) continue; // the apex is on it
+        paradt__convex_measure_face(c, (paradt_index)plane, apex, &face);
+        sums->volume += face.cone;
+        sums->error += face.error + PARADT__ROUNDOFF * (double)c->plane_count * paradt__abs(face.cone);
+        for (j = 0; j < d; j++) sums->moment[j] += face.moment[j];
+    }
+    sums->volume /= factorial;
+    sums->error = sums->error / factorial * 1.01 + 4 * PARADT__ROUNDOFF * paradt__abs(sums->volume) + c->g->tiny;
+    for (j = 0; j < d; j++) sums->moment[j] /= factorial * (d + 1);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>clipping
+//
+// The cells that may be unbounded or leave the walls, one by one: each is clipped by all planes of the request and by
+// the planes between its point and that point's neighbours in the triangulation, and measured. A face between two such
+// cells is listed for the smaller index. Tasks have ranges of points, and what they list comes together in order.
+//
+// Corners of faces are vertices of the diagram, named by a cell of the triangulation, or others, where a wall clips:
+// these have exact coordinates, rounded once, by which other cells' corners are found to be the same.
+// Doors: paradt__clip_all, struct paradt__corner_list, paradt__corner_list_free.
+
+enum { PARADT__EDGE_CLIPPED = 255 }; // instead of an edge's number: the face's corners are in a list
+
+// Corners of clipped faces. Each face has their number, and then the corners: a cell of the triangulation, -1 for what
+// is at infinity, or -2 - i for the i-th of the list's places
+typedef struct paradt__corner_list {
+    paradt__list corners;
+    double *places; // [place_capacity][d] as the caller counts, along the set's axes
+    size_t place_count, place_capacity;
+} paradt__corner_list;
+
+static void paradt__corner_list_free(paradt__corner_list *list, paradt__memory *memory) {
+    paradt__list_free(&list->corners, memory);
+    paradt__release(memory, list->places);
+    memset(list, 0, sizeof *list);
+}
+
+typedef struct paradt__clipping {
+    paradt__diagram *g;
+    const paradt__team *team;
+    unsigned wants;
+    size_t point_count;
+    paradt_index *points;    // [point_count] those whose cells are clipped, ascending
+    size_t *first;           // [point_count + 1] where the cells of the triangulation around each begin,
+    paradt_index *around;    // in this list
+    paradt__tally tally;     // what is found replaces what is there; sums NULL: not wanted
+    unsigned char *unbounded;
+    paradt__face_list *lists; // [tasks]; NULL: faces are not wanted
+    paradt__corner_list corners[PARADT__MOST_TASKS];
+    paradt__memory memory[PARADT__MOST_TASKS];
+    paradt_status status[PARADT__MOST_TASKS];
+} paradt__clipping;
+
+// --- one cell
+
+// What a task works with
+typedef struct paradt__clipper {
+    paradt__clipping *clipping;
+    paradt__convex cell;
+    paradt_index *stamp;       // [points] the last of the task's points whose neighbour it was found to be, plus 1
+    paradt_index *names;       // [names_capacity] of the cell's vertices, by the one that those that coincide have
+    size_t names_capacity;
+    size_t task, at;           // at: of the points
+    paradt__memory *memory;
+} paradt__clipper;
+
+// Clips the cell of a point by all that may clip it.
+static paradt_status paradt__clip_cell(paradt__clipper *clipper) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    paradt_index p = clipping->points[clipper->at], mark = (paradt_index)clipper->at + 1;
+    size_t corners = (size_t)g->k + 1, wall, i, j;
+    paradt_status status = paradt__convex_reset(c, p);
+    if (g->nothing) c->empty = 1;
+    for (wall = 2 * (size_t)g->d; wall < g->wall_count && !status; wall++)
+        status = paradt__convex_clip_by_wall(c, wall);
+    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && !status && !c->empty; i++) {
+        const paradt_index *row = g->mesh.vertices + (size_t)clipping->around[i] * corners;
+        for (j = 0; j < corners && !status; j++) {
+            if (row[j] == p || clipper->stamp[row[j]] == mark) continue;
+            clipper->stamp[row[j]] = mark;
+            status = paradt__convex_clip_by_point(c, row[j]);
+        }
+    }
+    return status ? status : paradt__convex_settle(c);
+}
+
+// Is a vertex that is not far the centre of a cell of the triangulation?
+static int paradt__clip_is_centre(paradt__convex *c, size_t vertex, paradt_index cell) {
+    const paradt__diagram *g = c->g;
+    const double *y = paradt__convex_place(c, vertex), *centre = paradt__centre_of(g, cell, g->d);
+    const double *base = paradt__diagram_point(g, c->p);
+    const paradt_index *row = g->mesh.vertices + (size_t)cell * (size_t)(g->d + 1);
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    paradt__halfspace plane;
+    int i, j;
+    for (j = 0; j < g->d; j++) {
+        double x = base[j] + y[j], error = (y[g->d] + centre[g->d]) * 1.01 + 2 * PARADT__ROUNDOFF * paradt__abs(x);
+        if (paradt__abs(x - centre[j]) > error) return 0;
+    }
+    for (i = 0; i < g->d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[g->d] = &plane;
+    for (i = 0; i <= g->d; i++) {
+        if (row[i] == c->p) continue;
+        for (j = 0; j < g->d && h[j]->side != row[i]; j++) {
+        }
+        if (j < g->d) continue;
+        paradt__diagram_bisector(g, c->p, row[i], &plane, g->d);
+        if (paradt__exact_above(&c->exact, g, c->p, h)) return 0;
+    }
+    return 1;
+}
+
+// Names a vertex of the cell.
+static paradt_status paradt__clip_name(paradt__clipper *clipper, size_t vertex, paradt_index *name) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__corner_list *list = &clipping->corners[clipper->task];
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    const paradt__halfspace *h[PARADT_MAX_DIM];
+    double y[PARADT_MAX_DIM + 1];
+    size_t i;
+    *name = -1;
+    if (c->far[vertex]) return PARADT_OK;
+    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && g->centres; i++) {
+        if (!paradt__clip_is_centre(c, vertex, clipping->around[i])) continue;
+        *name = clipping->around[i];
+        return c->exact.status;
+    }
+    if (list->place_count == list->place_capacity) {
+        void *places = list->places;
+        size_t capacity = 2 * list->place_capacity + 64;
+        if (!paradt__grow(clipper->memory, &places, list->place_count, capacity, (size_t)g->d * sizeof(double)))
+            return PARADT_ERROR_MEMORY;
+        list->places = (double *)places;
+        list->place_capacity = capacity;
+    }
+    for (i = 0; i < (size_t)g->d; i++) h[i] = paradt__convex_plane(c, vertex, (int)i);
+    paradt__exact_meet(&c->exact, g, c->p, h, 0, 1, y);
+    for (i = 0; i < (size_t)g->d; i++) list->places[list->place_count * (size_t)g->d + i] = y[i] + 0.0;
+    *name = -2 - (paradt_index)list->place_count++;
+    return c->exact.status;
+}
+
+// Names all vertices of the cell, as those that coincide with them.
+static paradt_status paradt__clip_name_all(paradt__clipper *clipper) {
+    const paradt__convex *c = &clipper->cell;
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (c->place_capacity > clipper->names_capacity) {
+        paradt__release(clipper->memory, clipper->names);
+        clipper->names_capacity = 0;
+        clipper->names = (paradt_index *)paradt__alloc(clipper->memory, c->place_capacity, sizeof *clipper->names);
+        if (!clipper->names) return PARADT_ERROR_MEMORY;
+        clipper->names_capacity = c->place_capacity;
+    }
+    for (i = 0; i < mesh->count && !status; i++) { // the one that others are named by is the first of them
+        if (mesh->vertices[i * (size_t)c->d] == PARADT__DEAD) continue;
+        if (c->same[i] == (paradt_index)i) status = paradt__clip_name(clipper, i, &clipper->names[i]);
+        else clipper->names[i] = clipper->names[c->same[i]];
+    }
+    return status;
+}
+
+// Lists the corners of a face: in space and in the plane in order, else in that of the vertices, each once.
+static paradt_status paradt__clip_corners(paradt__clipper *clipper, size_t plane) {
+    const paradt__convex *c = &clipper->cell;
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt__list *list = &clipper->clipping->corners[clipper->task].corners;
+    size_t counted = list->count, i, d = (size_t)c->d;
+    paradt_index entry = c->entry[plane], at = entry, last = PARADT__NOWHERE;
+    int far = 0;
+    paradt_status status = paradt__list_append(list, 0, clipper->memory);
+    if (d <= 3) {
+        do {
+            paradt_index name = clipper->names[at / c->d];
+            if (!status && name != last) status = paradt__list_append(list, name, clipper->memory);
+            last = name;
+            at = paradt__convex_next(c, at, c->d);
+        } while (at != entry && !status);
+        if (!status && list->count > counted + 2 && list->items[counted + 1] == last) list->count--;
+    } else {
+        for (i = 0; i < mesh->count * d && !status; i++) {
+            size_t vertex = i / d;
+            if (mesh->vertices[vertex * d] == PARADT__DEAD || mesh->vertices[i] != (paradt_index)plane) continue;
+            if (c->far[vertex]) {
+                far = 1;
+                continue;
+            }
+            if (c->same[vertex] == (paradt_index)vertex)
+                status = paradt__list_append(list, clipper->names[vertex], clipper->memory);
+            else { // the one that it is named by may not be on the plane
+                size_t j = counted + 1;
+                while (j < list->count && list->items[j] != clipper->names[vertex]) j++;
+                if (j == list->count) status = paradt__list_append(list, clipper->names[vertex], clipper->memory);
+            }
+        }
+        if (far && !status) status = paradt__list_append(list, -1, clipper->memory);
+    }
+    if (!status) list->items[counted] = (paradt_index)(list->count - counted - 1);
+    return status;
+}
+
+// Lists the faces of the cell that are to be listed for its point.
+static paradt_status paradt__clip_list(paradt__clipper *clipper) {
+    paradt__clipping *clipping = clipper->clipping;
+    const paradt__diagram *g = clipping->g;
+    paradt__face_list *list = &clipping->lists[clipper->task];
+    const paradt__convex *c = &clipper->cell;
+    const double origin[PARADT_MAX_DIM + 1] = {0}, *base = paradt__diagram_point(g, c->p);
+    size_t plane, d = (size_t)g->d, j;
+    paradt_status status = PARADT_OK;
+    int named = 0;
+    for (plane = 0; plane < c->plane_count && !status; plane++) {
+        const paradt__halfspace *h = c->planes + plane;
+        paradt_index at;
+        if (c->entry[plane] < 0 || !c->real[plane] || h->far) continue;
+        if (h->side >= 0 && (h->side < c->p || !(g->kind[h->side] & PARADT__CELL_CLIPPED))) continue;
+        status = paradt__face_list_room(list, 1);
+        if (!status && !named && clipping->wants & PARADT_VORONOI_POLYGONS)
+            status = paradt__clip_name_all(clipper), named = 1;
+        if (status) break;
+        at = (paradt_index)list->count++;
+        list->sides[2 * at] = c->p;
+        list->sides[2 * at + 1] = h->side;
+        if (clipping->wants & PARADT_VORONOI_AREAS) {
+            paradt__convex_face face;
+            double square = 0;
+            paradt__convex_measure_face(c, (paradt_index)plane, origin, &face);
+            list->areas[at] = face.measure;
+            for (j = 0; j < d; j++) square += h->normal[j] * h->normal[j];
+            for (j = 0; j < d; j++) {
+                list->normals[(size_t)at * d + j] = h->normal[j] / sqrt(square);
+                list->centroids[(size_t)at * d + j] = base[j] + face.centroid[j];
+            }
+        }
+        if (clipping->wants & PARADT_VORONOI_POLYGONS) {
+            list->cell[at] = (paradt_index)clipping->corners[clipper->task].corners.count;
+            list->edge[at] = PARADT__EDGE_CLIPPED;
+            status = paradt__clip_corners(clipper, plane);
+        }
+    }
+    return status;
+}
+
+// Clips and measures the cell of a point, and lists its faces.
+static paradt_status paradt__clip_point(paradt__clipper *clipper) {
+    paradt__clipping *clipping = clipper->clipping;
+    const paradt__diagram *g = clipping->g;
+    const paradt__convex *c = &clipper->cell;
+    paradt__convex_sums sums;
+    paradt_index p = clipping->points[clipper->at];
+    int j;
+    paradt_status status = paradt__clip_cell(clipper);
+    if (status) return status;
+    memset(&sums, 0, sizeof sums);
+    clipping->unbounded[p] = (unsigned char)(!c->empty && c->unbounded);
+    if (clipping->tally.sums) {
+        double *to = paradt__tally_of(&clipping->tally, p);
+        if (!c->empty && !c->unbounded) status = paradt__convex_measure(c, &sums);
+        to[0] = sums.volume;
+        to[1] = sums.error;
+        for (j = 0; j < clipping->tally.width - 2; j++) to[2 + j] = sums.moment[j];
+    }
+    if (!status && !c->empty && clipping->lists && g->kind[p] & PARADT__CELL_CLIPPED)
+        status = paradt__clip_list(clipper);
+    return status;
+}
+
+// --- all cells
+
+PARADT__HOT void paradt__clip_task(void *context, size_t task) {
+    enum { PACE = 64 };
+    paradt__clipping *clipping = (paradt__clipping *)context;
+    const paradt__diagram *g = clipping->g;
+    paradt__clipper clipper;
+    size_t end = paradt__loader_range(clipping->team, clipping->point_count, task, &clipper.at), first;
+    paradt_status status = PARADT_OK;
+    memset(&clipper.cell, 0, sizeof clipper.cell);
+    first = clipper.at;
+    clipper.clipping = clipping;
+    clipper.task = task;
+    clipper.memory = &clipping->memory[task];
+    clipper.names = NULL;
+    clipper.names_capacity = 0;
+    clipper.stamp = (paradt_index *)paradt__alloc(clipper.memory, g->set.count, sizeof *clipper.stamp);
+    if (!clipper.stamp) {
+        clipping->status[task] = PARADT_ERROR_MEMORY;
+        return;
+    }
+    memset(clipper.stamp, 0, g->set.count * sizeof *clipper.stamp);
+    paradt__convex_begin(&clipper.cell, g, clipper.memory);
+    for (; clipper.at < end && !status; clipper.at++) {
+        if (clipper.at % PACE == 0 &&
+            paradt__team_cancels(clipping->team, task, (double)(clipper.at - first) / (double)(end - first)))
+            status = PARADT_ERROR_CANCELLED;
+        else status = paradt__clip_point(&clipper);
+    }
+    paradt__convex_free(&clipper.cell);
+    paradt__release(clipper.memory, clipper.stamp);
+    paradt__release(clipper.memory, clipper.names);
+    clipping->status[task] = status;
+}
+
+// Lists the points whose cells are clipped, or have no certain measure, and the cells of the triangulation around each.
+static paradt_status paradt__clip_collect(paradt__clipping *clipping, const unsigned char *again) {
+    const paradt__diagram *g = clipping->g;
+    size_t n = g->set.count, i, at, corners = (size_t)g->k + 1;
+    paradt_index *slot;
+    for (i = 0; i < n; i++) clipping->point_count += again[i] != 0;
+    if (!clipping->point_count) return PARADT_OK;
+    clipping->points = (paradt_index *)paradt__alloc(g->memory, clipping->point_count, sizeof *clipping->points);
+    clipping->first = (size_t *)paradt__alloc(g->memory, clipping->point_count + 1, sizeof *clipping->first);
+    slot = (paradt_index *)paradt__alloc(g->memory, n, sizeof *slot);
+    if (!clipping->points || !clipping->first || !slot) {
+        paradt__release(g->memory, slot);
+        return PARADT_ERROR_MEMORY;
+    }
+    memset(clipping->first, 0, (clipping->point_count + 1) * sizeof *clipping->first);
+    for (i = at = 0; i < n; i++) {
+        slot[i] = again[i] ? (paradt_index)at : -1;
+        if (again[i]) clipping->points[at++] = (paradt_index)i;
+    }
+    for (i = 0; i < g->cells * corners; i++)
+        if (slot[g->mesh.vertices[i]] >= 0) clipping->first[slot[g->mesh.vertices[i]] + 1]++;
+    for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
+    clipping->around = (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1,
+                                                     sizeof *clipping->around);
+    for (i = 0; i < g->cells * corners && clipping->around; i++) {
+        paradt_index of = slot[g->mesh.vertices[i]];
+        if (of >= 0) clipping->around[clipping->first[of]++] = (paradt_index)(i / corners);
+    }
+    for (i = clipping->point_count; i > 0; i--) clipping->first[i] = clipping->first[i - 1];
+    clipping->first[0] = 0;
+    paradt__release(g->memory, slot);
+    return clipping->around ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// Puts what a task has listed behind what is in the lists.
+static paradt_status paradt__clip_join(paradt__clipping *clipping, size_t task, paradt__face_list *list,
+                                       paradt__corner_list *corners) {
+    paradt__memory *memory = clipping->g->memory;
+    paradt__face_list *from = &clipping->lists[task];
+    paradt__corner_list *more = &clipping->corners[task];
+    size_t d = (size_t)clipping->g->d, i, base = corners->corners.count, places = corners->place_count, left = 0;
+    paradt_status status;
+    for (i = 0; i < from->count && clipping->wants & PARADT_VORONOI_POLYGONS; i++)
+        from->cell[i] += (paradt_index)base;
+    status = paradt__face_list_join(list, from);
+    for (i = 0; i < more->corners.count && !status; i++) {
+        paradt_index item = more->corners.items[i];
+        if (!left) left = (size_t)item + 1; // the number of corners that follow
+        else if (item < -1) item -= (paradt_index)places;
+        left--;
+        status = paradt__list_append(&corners->corners, item, memory);
+    }
+    if (!status && more->place_count) {
+        void *array = corners->places;
+        size_t capacity = places + more->place_count;
+        if (!paradt__grow(memory, &array, places, capacity, d * sizeof(double))) return PARADT_ERROR_MEMORY;
+        corners->places = (double *)array;
+        corners->place_capacity = corners->place_count = capacity;
+        memcpy(corners->places + places * d, more->places, more->place_count * d * sizeof(double));
+    }
+    return status;
+}
+
+// Clips all cells that `again` has a mark for.
+//   tally      sums of cells, replaced for these; sums NULL: not wanted
+//   unbounded  [points] filled for these
+//   list       NULL, or a list that their faces are added to, if both sides have PARADT__CELL_CLIPPED
+//   corners    with PARADT_VORONOI_POLYGONS, gets the corners of these faces
+static paradt_status paradt__clip_all(paradt__diagram *g, const paradt__team *team, unsigned wants,
+                                      const unsigned char *again, const paradt__tally *tally,
+                                      unsigned char *unbounded, paradt__face_list *list,
+                                      paradt__corner_list *corners) {
+    paradt__clipping clipping;
+    paradt__face_list lists[PARADT__MOST_TASKS];
+    uint64_t peaks = 0;
+    size_t i;
+    paradt_status status;
+    memset(&clipping, 0, sizeof clipping);
+    clipping.g = g;
+    clipping.team = team;
+    clipping.wants = wants;
+    clipping.tally = *tally;
+    clipping.unbounded = unbounded;
+    clipping.lists = list ? lists : NULL;
+    status = paradt__clip_collect(&clipping, again);
+    for (i = 0; i < team->tasks; i++) {
+        clipping.memory[i] = paradt__memory_fork(g->memory, team->tasks);
+        paradt__face_list_begin(&lists[i], g->d, wants, &clipping.memory[i]);
+    }
+    if (!status && clipping.point_count) {
+        paradt__team_run(team, paradt__clip_task, &clipping);
+        if (paradt__team_cancelled(team)) status = PARADT_ERROR_CANCELLED;
+    }
+    for (i = 0; i < team->tasks; i++) {
+        if (!status) status = clipping.status[i];
+        paradt__memory_join(g->memory, &clipping.memory[i], &peaks);
+        lists[i].memory = g->memory;
+    }
+    for (i = 0; i < team->tasks; i++) {
+        if (!status && list) status = paradt__clip_join(&clipping, i, list, corners);
+        paradt__face_list_free(&lists[i]);
+        paradt__corner_list_free(&clipping.corners[i], g->memory);
+    }
+    paradt__release(g->memory, clipping.points);
+    paradt__release(g->memory, clipping.first);
+    paradt__release(g->memory, clipping.around);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>Voronoi
 //
 // The entry: arguments are checked, the triangulation and the walls are read, and the steps of the sections above are
@@ -25619,6 +27061,7 @@ typedef struct paradt__voronoi_work {
     double *scaled;      // of the diagram, where it has its own
     paradt__voronoi_tally tally; // of the cells
     paradt__face_list list;
+    paradt__corner_list corners; // of faces that are clipped
     uint32_t reported[4];
 } paradt__voronoi_work;
 
@@ -25701,7 +27144,10 @@ static paradt_status paradt__voronoi_walls(paradt__voronoi_work *work, const par
         wall->normal[wall->axis] = i < d ? -1 : 1;
         wall->far = !request || !request->box || !paradt__is_finite(request->box[i]);
         if (!wall->far) wall->offset = i < d ? -request->box[i] : request->box[i];
+        if (i >= d && !wall->far && !g->walls[i - d].far && request->box[i - d] > request->box[i]) g->nothing = 1;
     }
+    for (i = 0; i < d; i++)
+        for (j = 0; j < (int)i; j++) g->odd ^= g->walls[j].axis > g->walls[i].axis;
     return PARADT_OK;
 }
 
@@ -25876,6 +27322,203 @@ static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_vo
     return paradt__voronoi_incidence(work, out);
 }
 
+// Clips what has to be clipped, or was measured with an error as large as what was measured.
+static paradt_status paradt__voronoi_clip(paradt__voronoi_work *work, paradt_voronoi *out) {
+    paradt__diagram *g = &work->g;
+    paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CLIPS);
+    const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    unsigned char *again = (unsigned char *)paradt__alloc(&work->memory, g->set.count, 1);
+    size_t i;
+    paradt_status status;
+    if (!again) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < g->set.count; i++) {
+        again[i] = (g->kind[i] & PARADT__CELL_CLIPPED) != 0;
+        if (g->kind[i] == PARADT__CELL_THERE && work->tally.sums) {
+            const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
+            again[i] = !(sums[0] > sums[1]);
+        }
+    }
+    status = paradt__clip_all(g, &team, work->wants, again, &work->tally, out->unbounded,
+                              work->wants & faces ? &work->list : NULL, &work->corners);
+    paradt__release(&work->memory, again);
+    return status;
+}
+
+// --- polygons
+
+// What of vertices is numbered
+typedef struct paradt__numbering {
+    paradt_index *same;   // [cells] of cells with one sphere: one of them; NULL: there are no centres
+    paradt_index *number; // [cells] of its vertex; -1: none yet
+    paradt_index *alias;  // [places] the first of those that are the same
+    paradt_index *placed; // [places] of its vertex
+    paradt__list of;      // by number: a cell, or -2 - i for a place
+    paradt__list corners; // the result's polygons
+} paradt__numbering;
+
+static void paradt__numbering_free(paradt__numbering *n, paradt__memory *memory) {
+    paradt__release(memory, n->same);
+    paradt__release(memory, n->number);
+    paradt__release(memory, n->alias);
+    paradt__release(memory, n->placed);
+    paradt__list_free(&n->of, memory);
+    paradt__list_free(&n->corners, memory);
+}
+
+// Finds which cells have one sphere.
+static paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__voronoi_work *work) {
+    paradt__diagram *g = &work->g;
+    size_t i, corners = (size_t)g->d + 1;
+    if (!g->centres) return PARADT_OK;
+    n->same = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->same);
+    n->number = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->number);
+    if (!n->same || !n->number) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < g->cells; i++) n->same[i] = (paradt_index)i, n->number[i] = -1;
+    for (i = 0; i < g->cells * corners; i++) {
+        paradt_index cell = (paradt_index)(i / corners), other = g->mesh.links[i] / (paradt_index)corners, a, b;
+        if (i % ((size_t)1 << 14) == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
+        if (other < cell || (size_t)other >= g->cells ||
+            paradt__centres_differ(paradt__centre_of(g, cell, g->d), paradt__centre_of(g, other, g->d), g->d) ||
+            !paradt__centres_agree(g, &g->set.space, (paradt_index)i))
+            continue;
+        a = paradt__convex_root(n->same, cell);
+        b = paradt__convex_root(n->same, other);
+        if (a < b) n->same[b] = a;
+        else n->same[a] = b;
+    }
+    for (i = 0; i < g->cells; i++) n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    return PARADT_OK;
+}
+
+// Finds which places are the same.
+static paradt_status paradt__numbering_places(paradt__numbering *n, paradt__voronoi_work *work) {
+    const paradt__corner_list *list = &work->corners;
+    size_t count = list->place_count, i, j, d = (size_t)work->g.d;
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(&work->memory, 2 * count + 1, sizeof *keyed);
+    n->alias = (paradt_index *)paradt__alloc(&work->memory, count, sizeof *n->alias);
+    n->placed = (paradt_index *)paradt__alloc(&work->memory, count, sizeof *n->placed);
+    if (!keyed || !n->alias || !n->placed) {
+        paradt__release(&work->memory, keyed);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < count; i++) {
+        keyed[i].key = paradt__hash_coordinates(list->places + i * d, (int)d);
+        keyed[i].item = (paradt_index)i;
+        n->placed[i] = -1;
+    }
+    paradt__keyed_sort(keyed, keyed + count, count, 64, 0);
+    for (i = 0; i < count; i++) {
+        size_t at = (size_t)keyed[i].item;
+        n->alias[at] = (paradt_index)at;
+        for (j = i; j > 0 && keyed[j - 1].key == keyed[i].key; j--) {
+            size_t other = (size_t)keyed[j - 1].item;
+            if (memcmp(list->places + at * d, list->places + other * d, d * sizeof(double))) continue;
+            n->alias[at] = n->alias[other];
+            break;
+        }
+    }
+    paradt__release(&work->memory, keyed);
+    return PARADT_OK;
+}
+
+// Appends a corner to the polygon that began at `begin`, unless it is the last one's again.
+static paradt_status paradt__numbering_add(paradt__numbering *n, paradt__voronoi_work *work, size_t begin,
+                                           paradt_index name) {
+    paradt_index *number, vertex = -1;
+    paradt_status status = PARADT_OK;
+    if (name != -1) {
+        if (name >= 0) name = n->same[name];
+        else name = -2 - n->alias[-2 - name];
+        number = name >= 0 ? &n->number[name] : &n->placed[-2 - name];
+        if (*number < 0) {
+            *number = (paradt_index)n->of.count;
+            status = paradt__list_append(&n->of, name, &work->memory);
+        }
+        vertex = *number;
+    }
+    if (!status && (n->corners.count == begin || n->corners.items[n->corners.count - 1] != vertex))
+        status = paradt__list_append(&n->corners, vertex, &work->memory);
+    return status;
+}
+
+// Appends the corners of a face.
+static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__voronoi_work *work, size_t face) {
+    const paradt__diagram *g = &work->g;
+    paradt_index cell = work->list.cell[face];
+    int edge = work->list.edge[face];
+    size_t begin = n->corners.count, i;
+    paradt_status status = PARADT_OK;
+    if (edge == PARADT__EDGE_CLIPPED) {
+        const paradt_index *corners = work->corners.corners.items + cell;
+        for (i = 1; i <= (size_t)corners[0] && !status; i++) status = paradt__numbering_add(n, work, begin, corners[i]);
+    } else if (g->d == 2) {
+        status = paradt__numbering_add(n, work, begin, g->mesh.links[3 * cell + edge] / 3);
+        if (!status) status = paradt__numbering_add(n, work, begin, cell);
+    } else {
+        const paradt_index *vertices = g->mesh.vertices, *links = g->mesh.links;
+        const unsigned char *places = paradt__ring_edges[edge];
+        paradt_index at = cell, kept = vertices[4 * cell + places[3]], handle;
+        int cross = places[2];
+        do {
+            status = paradt__numbering_add(n, work, begin, at);
+            handle = links[4 * at + cross];
+            at = handle >> 2;
+            cross = paradt__given_place(vertices + 4 * at, kept, 4);
+            kept = vertices[handle];
+        } while (at != cell && !status);
+    }
+    if (!status && g->d <= 3 && n->corners.count > begin + 1 &&
+        n->corners.items[begin] == n->corners.items[n->corners.count - 1])
+        n->corners.count--;
+    return status;
+}
+
+// Fills the vertices.
+static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__voronoi_work *work,
+                                                paradt_voronoi *out) {
+    const paradt__diagram *g = &work->g;
+    size_t d = (size_t)g->d, i, j;
+    paradt_status status = PARADT_OK;
+    int exact = 1;
+    out->vertex_count = n->of.count;
+    out->vertices = (double *)paradt__voronoi_array(work, n->of.count * d, sizeof(double), &status);
+    if (status) return status;
+    for (i = 0; i < n->of.count; i++) {
+        paradt_index of = n->of.items[i];
+        const double *x = of >= 0 ? paradt__centre_of(g, of, g->d) : work->corners.places + (size_t)(-2 - of) * d;
+        for (j = 0; j < d; j++) {
+            double y = of >= 0 && g->shift ? paradt__scale(x[j], g->shift, &exact) : x[j];
+            out->vertices[i * d + (size_t)g->set.axes[j]] = y + 0.0;
+        }
+    }
+    return PARADT_OK;
+}
+
+// Numbers the vertices, and makes the polygons of all faces.
+static paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, paradt_voronoi *out) {
+    paradt__numbering n;
+    size_t i;
+    paradt_status status;
+    memset(&n, 0, sizeof n);
+    status = paradt__numbering_cells(&n, work);
+    if (!status) status = paradt__numbering_places(&n, work);
+    out->first_vertex = (size_t *)paradt__voronoi_array(work, work->list.count + 1, sizeof(size_t), &status);
+    if (!status) out->first_vertex[0] = 0;
+    for (i = 0; i < work->list.count && !status; i++) {
+        if (i % PARADT__DIAGRAM_PACE == 0 && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+        else status = paradt__numbering_face(&n, work, i);
+        out->first_vertex[i + 1] = n.corners.count;
+    }
+    if (!status) status = paradt__numbering_vertices(&n, work, out);
+    if (!status) {
+        out->polygons = n.corners.items;
+        memset(&n.corners, 0, sizeof n.corners);
+        if (!out->polygons) out->polygons = (paradt_index *)paradt__voronoi_array(work, 0, 1, &status);
+    }
+    paradt__numbering_free(&n, &work->memory);
+    return status;
+}
+
 static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const paradt_triangulation *t,
                                          const paradt_points *points, const paradt_voronoi_request *request,
                                          paradt_voronoi *out) {
@@ -25908,10 +27551,12 @@ static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const parad
         for (i = 0; i < points->count; i++)
             if (g->kind[i]) g->kind[i] |= PARADT__CELL_CLIPPED;
     }
-    if (status) return status;
-    for (i = 0; i < points->count; i++) out->unbounded[i] = (g->kind[i] & PARADT__CELL_CLIPPED) != 0;
-    status = paradt__voronoi_cells(work, out);
-    if (!status && work->wants & faces) status = paradt__voronoi_faces(work, out);
+    if (!status) status = paradt__voronoi_clip(work, out);
+    if (!status) status = paradt__voronoi_cells(work, out);
+    if (!status && work->wants & faces) {
+        if (work->wants & PARADT_VORONOI_POLYGONS) status = paradt__voronoi_polygons(work, out);
+        if (!status) status = paradt__voronoi_faces(work, out);
+    }
     return status;
 }
 
@@ -25945,6 +27590,7 @@ static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voro
     work->meter.done = PARADT__ALL_DONE;
     if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     paradt__face_list_free(&work->list);
+    paradt__corner_list_free(&work->corners, &work->memory);
     paradt__release(&work->memory, work->tally.sums);
     paradt__release(&work->memory, work->scaled);
     paradt__release(&work->memory, work->g.walls);
