@@ -17327,7 +17327,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 }
 #endif
 
-#if !defined(PARADT_NO_HULLS) || !defined(PARADT_NO_VORONOI)
+#ifndef PARADT_NO_HULLS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>minors
 //
@@ -17392,9 +17392,7 @@ PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, 
     *error = paradt__minors_factor(k) * sizes + PARADT__ROUNDOFF * (terms + 4) * squares;
     return squares;
 }
-#endif
 
-#ifndef PARADT_NO_HULLS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>hull points
 //
@@ -20036,7 +20034,7 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
 }
 #endif // PARADT_NO_FLIPS
 
-#if !defined(PARADT_NO_MEASURES) || !defined(PARADT_NO_VORONOI)
+#ifndef PARADT_NO_MEASURES
 // ---------------------------------------------------------------------------------------------------------------------
 // >>measures of a cell
 //
@@ -25656,7 +25654,7 @@ typedef struct paradt__exact_rows {
     int wall_unit[PARADT__MAX_ROWS]; // v of a wall
 } paradt__exact_rows;
 
-PARADT__INLINE const paradt__wall *paradt__exact_wall(const paradt__exact_rows *rows, int i) {
+PARADT__INLINE const paradt__voronoi_wall *paradt__exact_wall(const paradt__exact_rows *rows, int i) {
     return rows->g->walls + (size_t)(-1 - rows->plane[i]->side);
 }
 
@@ -25685,7 +25683,7 @@ static void paradt__exact_begin(paradt__exact_rows *rows, const paradt__diagram 
     rows->offset_bits = paradt__max(2 * rows->bits + 4, w.top + 2 - 2 * rows->unit);
     for (i = 0; i < n; i++) {
         paradt__range normal = paradt__no_range, offset = paradt__no_range;
-        const paradt__wall *wall;
+        const paradt__voronoi_wall *wall;
         int v;
         if (planes[i]->side >= 0) continue;
         wall = paradt__exact_wall(rows, i);
@@ -25728,7 +25726,7 @@ static int paradt__exact_small(const paradt__exact_rows *rows, paradt__fixed *f,
             }
             if (far) offset = 0;
         } else {
-            const paradt__wall *wall = paradt__exact_wall(rows, i);
+            const paradt__voronoi_wall *wall = paradt__exact_wall(rows, i);
             int shift, v = rows->wall_unit[i];
             for (j = 0; j < d; j++) {
                 int64_t x = paradt__fix(wall->normal[j], v, &lost);
@@ -25785,7 +25783,7 @@ static void paradt__exact_offset(const paradt__exact_rows *rows, int i, int far,
         if (g->weighted)
             paradt__add_difference(sum, 1, rows->base[d], paradt__record(&g->set, plane->side)[d], 2 * rows->unit);
     } else {
-        const paradt__wall *wall = paradt__exact_wall(rows, i);
+        const paradt__voronoi_wall *wall = paradt__exact_wall(rows, i);
         paradt__wide *number = sum + count; // room for one number more
         for (j = 0; j < d; j++, normal += digits) {
             paradt__clear_any(number, digits);
@@ -26675,7 +26673,7 @@ typedef struct paradt__clipping {
     paradt_index *points;    // [point_count] those whose cells are clipped, ascending
     size_t *first;           // [point_count + 1] where the cells of the triangulation around each begin,
     paradt_index *around;    // in this list
-    paradt__tally tally;     // what is found replaces what is there; sums NULL: not wanted
+    paradt__voronoi_tally tally;     // what is found replaces what is there; sums NULL: not wanted
     unsigned char *unbounded;
     paradt__face_list *lists; // [tasks]; NULL: faces are not wanted
     paradt__corner_list corners[PARADT__MOST_TASKS];
@@ -27005,7 +27003,7 @@ static paradt_status paradt__clip_join(paradt__clipping *clipping, size_t task, 
 //   list       NULL, or a list that their faces are added to, if both sides have PARADT__CELL_CLIPPED
 //   corners    with PARADT_VORONOI_POLYGONS, gets the corners of these faces
 static paradt_status paradt__clip_all(paradt__diagram *g, const paradt__team *team, unsigned wants,
-                                      const unsigned char *again, const paradt__tally *tally,
+                                      const unsigned char *again, const paradt__voronoi_tally *tally,
                                       unsigned char *unbounded, paradt__face_list *list,
                                       paradt__corner_list *corners) {
     paradt__clipping clipping;
