@@ -10,13 +10,14 @@
 
 enum { PIECES = 60 };
 
+static const double towards[3] = {0.55, -0.7, 0.46}, right[3] = {0.79, 0.62, 0}, up[3] = {-0.28, 0.36, 0.89}; // of a viewer
 static double sites[PIECES][3];
 static double chance(void) { return rand() / (RAND_MAX + 1.0); }
 
-// Voronoi cells do not hide each other in a circle: those with farther sites are behind.
-static double depth(size_t site) { return sites[site][0] * 0.6 - sites[site][1] * 0.7 + sites[site][2] * 0.4; }
-static int by_depth(const void *a, const void *b) {
-    double x = depth(*(const size_t *)a), y = depth(*(const size_t *)b);
+static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static int by_depth(const void *a, const void *b) { // Voronoi cells hide each other in the order of their points
+    double x = dot(sites[*(const size_t *)a], towards), y = dot(sites[*(const size_t *)b], towards);
     return (x > y) - (x < y);
 }
 
@@ -25,30 +26,29 @@ static void put_face(const paradt_voronoi *v, size_t face, size_t piece, FILE *o
     const size_t first = v->first_vertex[face], n = v->first_vertex[face + 1] - first;
     const int turned = v->sides[2 * face] != (paradt_index)piece;
     const double *normal = v->normals + 3 * face, way = turned ? -1 : 1;
-    const double towards = way * (normal[0] * 0.6 - normal[1] * 0.7 + normal[2] * 0.4);
+    const int seen = way * dot(normal, towards) > 0;
     fprintf(obj, "f");
-    if (towards > 0)
-        fprintf(svg, "<path fill='hsl(30,20%%,%.0f%%)' d='M", 30 + 55 * fabs(0.3 * normal[0] + 0.9 * normal[2]));
+    if (seen)
+        fprintf(svg, "<path fill='hsl(30,25%%,%.0f%%)' d='M", 45 + 40 * way * (0.3 * normal[0] + 0.8 * normal[2]));
     for (size_t i = 0; i < n; i++) {
         const size_t vertex = (size_t)v->polygons[turned ? first + n - 1 - i : first + i];
         double x[3];
         for (int k = 0; k < 3; k++)
             x[k] = v->vertices[3 * vertex + (size_t)k] + 0.3 * (sites[piece][k] - 0.5);
         fprintf(obj, " %zu", vertex + 1);
-        if (towards > 0)
-            fprintf(svg, "%.1f %.1f ", 150 * (0.75 * x[0] + 0.65 * x[1]) + 80,
-                    330 - 150 * (x[2] * 0.91 - 0.27 * x[0] + 0.31 * x[1]));
+        if (seen)
+            fprintf(svg, "%.1f %.1f ", 60 + 200 * dot(x, right), 300 - 200 * dot(x, up));
     }
     fprintf(obj, "\n");
-    if (towards > 0)
+    if (seen)
         fprintf(svg, "Z'/>\n");
 }
 
 int main(void) {
     static const double box[6] = {0, 0, 0, 1, 1, 1}, blow[3] = {0.9, 0.1, 0.9};
     const paradt_points points = paradt_points_f64(sites[0], PIECES, 3);
-    const paradt_voronoi_request want = {PARADT_VORONOI_VOLUMES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS, box,
-                                         NULL, 0};
+    const paradt_voronoi_request want = {PARADT_VORONOI_VOLUMES | PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS |
+                                             PARADT_VORONOI_POLYGONS, box, NULL, 0};
     paradt_triangulation t;
     paradt_voronoi v;
     size_t order[PIECES];

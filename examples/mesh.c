@@ -31,7 +31,7 @@ static void draw(FILE *svg, const paradt_index *v) {
     float light = (0.6f * nz - 0.7f * nx + 0.4f * ny) / sqrtf(nx * nx + ny * ny + nz * nz);
     fprintf(svg, "<path fill='hsl(90,30%%,%.0f%%)' d='M", 25 + 60 * fmaxf(light, 0));
     for (int j = 0; j < 3; j++)
-        fprintf(svg, "%.1f %.1f ", 400 * vertices[v[j]].x, 290 - 200 * vertices[v[j]].y - 300 * vertices[v[j]].z);
+        fprintf(svg, "%.1f %.1f ", 20 + 360 * vertices[v[j]].x, 280 - 130 * vertices[v[j]].y - 200 * vertices[v[j]].z);
     fprintf(svg, "Z'/>\n");
 }
 
@@ -44,7 +44,8 @@ int main(void) {
         struct vertex *v = &vertices[i];
         v->x = chance();
         v->y = chance();
-        v->z = 0.2f * expf(-20 * ((v->x - .5f) * (v->x - .5f) + (v->y - .5f) * (v->y - .5f))) + 0.06f * chance();
+        v->z = 0.5f * expf(-15 * ((v->x - .6f) * (v->x - .6f) + (v->y - .5f) * (v->y - .5f))) + 0.05f * chance() +
+               0.15f * sinf(5 * v->x) * sinf(4 * v->y);
     }
     if (paradt_triangulate(&t, &points, NULL) || paradt_adjacency_compute(&near, &t, PARADT_VERTEX_VERTICES, NULL))
         return 1;

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { ATOMS = 9, MOST = 2000 };
+enum { ATOMS = 9, MOST = 1000 };
 
 static const double towards[3] = {0.29, -0.82, 0.49}, right[3] = {0.94, 0.34, 0}, up[3] = {-0.17, 0.46, 0.87}; // of a viewer
 static const char names[ATOMS + 1] = "OCCHHHHHH";
@@ -22,11 +22,11 @@ static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] 
 
 // Fills space around the molecule with water, of radius 1.4. Returns the number of all spheres.
 static size_t add_water(size_t count) {
-    for (int i = 0; i < 4096; i++) {
+    for (int i = 0; i < 1000; i++) {
         double *x = centres[count];
-        int free = count < MOST;
-        for (int k = 0, n = i; k < 3; k++, n /= 16)
-            x[k] = 0.9 * (n % 16 - 7.5);
+        int free = 1;
+        for (int k = 0, n = i; k < 3; k++, n /= 10)
+            x[k] = 1.5 * (n % 10 - 4.5);
         for (int a = 0; a < ATOMS; a++) {
             const double d[3] = {x[0] - centres[a][0], x[1] - centres[a][1], x[2] - centres[a][2]};
             free &= sqrt(dot(d, d)) > radius(names[a]) + 1.4;

@@ -1,6 +1,7 @@
 # vtk_cells.py VTU CSV: reads Voronoi cells with VTK and compares them with the table of --voronoi: which cells there are,
-# their volumes (in the plane areas) as vtkCellSizeFilter measures them and as their data say, and in space, of some
-# cells, as vtkMassProperties measures their surface, which has to be closed. Prints the first difference.
+# and their volumes, as their data say and as VTK measures them: in the plane vtkCellSizeFilter, in space vtkMassProperties
+# from a cell's surface, which has to be closed. (vtkCellSizeFilter divides polyhedra by a Delaunay triangulation with
+# tolerances, and misses the volumes of some by far.) Prints the first difference.
 import csv
 import sys
 
@@ -57,7 +58,7 @@ size.Update()
 grid = size.GetOutput()
 check(grid.GetNumberOfCells() == len(due), grid.GetNumberOfCells(), "cells where", len(due), "are due")
 flat = "cz" not in rows[0]
-measured = grid.GetCellData().GetArray("Area" if flat else "Volume")
+areas = grid.GetCellData().GetArray("Area")
 points, volumes = grid.GetCellData().GetArray("point"), grid.GetCellData().GetArray("volume")
 check(len({points.GetValue(i) for i in range(len(due))}) == len(due), "a cell comes twice")
 for i in range(len(due)):
@@ -67,8 +68,9 @@ for i in range(len(due)):
     check(cell.GetCellType() == (VTK_POLYGON if flat else VTK_POLYHEDRON), "cell", i, "is of type", cell.GetCellType())
     check((cell.GetNumberOfEdges() if flat else cell.GetNumberOfFaces()) == int(row["faces"]), "faces of", row)
     check(close(volumes.GetValue(i), volume), "data", volumes.GetValue(i), row)
-    check(close(measured.GetValue(i), volume), "vtkCellSizeFilter", measured.GetValue(i), row)
-    if not flat and i < 100:
+    if flat:
+        check(close(areas.GetValue(i), volume), "vtkCellSizeFilter", areas.GetValue(i), row)
+    else:
         surface = surface_of(grid, i)
         mass = vtkMassProperties()
         mass.SetInputData(surface)
