@@ -18,7 +18,7 @@ PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
-.PHONY: all run check test bench thesis study theory lib clean help test-programs test-list
+.PHONY: all run examples check test bench thesis study theory lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -38,6 +38,16 @@ run: $(BUILD)/paradt ## Triangulate and certify a star cluster of 100,000 points
 	@echo "Triangulating $(RUN_INPUT) (a star cluster of 100,000 points) on $(JOBS) processors, and certifying the result:"
 	$(BUILD)/paradt --jobs $(JOBS) --check --stats - $(addprefix -o ,$(RUN_OUTPUTS)) $(RUN_INPUT)
 	@echo "Certified. Written: $(RUN_OUTPUTS) (ParaView opens the first, any image viewer the second)."
+
+# Each is a program of one file. They are run in the folder that they write their pictures to.
+EXAMPLES := $(patsubst examples/%.c,$(BUILD)/examples/%,$(filter-out examples/paradt%,$(wildcard examples/*.c)))
+
+examples: $(EXAMPLES) ## Build and run the examples; their pictures go to build/examples/
+	@for e in $(notdir $(EXAMPLES)); do echo "$$e:" && (cd $(BUILD)/examples && ./$$e) || exit 1; done
+
+$(BUILD)/examples/%: examples/%.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -o $@ $< -lm
 
 # --- tests -----------------------------------------------------------------------------------------------------------
 # tests/*.c are cmocka programs, tests/*.sh print TAP lines. tests/setup.sh installs what it can and writes HAVE_... lines. Tests
@@ -208,4 +218,4 @@ clean: ## Remove everything that was built
 help: ## List these targets
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{ printf "%-12s %s\n", $$1, $$2 }'
 
--include $(wildcard $(BUILD)/*.d $(BUILD)/bench/*.d $(T)/*.d $(T)/*/*.d)
+-include $(wildcard $(BUILD)/*.d $(BUILD)/examples/*.d $(BUILD)/bench/*.d $(T)/*.d $(T)/*/*.d)
