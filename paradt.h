@@ -1501,9 +1501,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     along                        154   the cells along a segment
 //     locator                      521   the entry of queries
 //     holes of vertices            503   what fills the hole where a vertex goes
-//     state of a living set        651   columns, journal, hidden and coincident points
-//     changes of a living set      605   one point comes, goes or moves; the set anew
-//     living set                   580   the entry
+//     state of a living set        684   columns, journal, hidden and coincident points
+//     changes of a living set      612   one point comes, goes or moves; the set anew
+//     living set                   636   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -22912,7 +22912,7 @@ static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion 
 //
 // The box of the space is that of all points that ever were, and more: a point outside doubles it on that side, so that
 // it is seldom measured anew.
-// Doors: paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__mesh_has.
+// Doors: paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__mesh_has, PARADT__VERIFY_LIVING.
 
 enum {
     // by id
@@ -23307,6 +23307,7 @@ static void paradt__living_unhang(paradt_dynamic *d, paradt_index position) {
     else paradt__living_set(d, PARADT__NEXT_HIDDEN, before, next);
     if (next >= 0) paradt__living_set(d, PARADT__LAST_HIDDEN, next, before);
     paradt__living_set(d, PARADT__LAST_HIDDEN, position, PARADT__NOWHERE);
+    paradt__living_set(d, PARADT__CELL, position, paradt__living_get(d, PARADT__CELL, position)); // for the journal
     d->now.hidden--;
     paradt__alike_leave(d, position);
 }
@@ -23462,6 +23463,37 @@ static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
     if (d->weighted) paradt__living_settle_hidden(d, gone, paradt__mesh_cell(mesh, update->made[0]));
 }
 
+#if defined(PARADT_VERIFY)
+// Do columns and mesh fit together?
+static int paradt__living_is_sound(paradt_dynamic *d) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t hidden = 0, vertices = 0, cells = 0, points = 0, i;
+    for (i = 0; i < d->now.positions; i++) {
+        paradt_index cell = d->column[PARADT__CELL][i], owner = d->column[PARADT__OWNER][i];
+        if (owner < 0) continue;
+        if (paradt__living_get(d, PARADT__POSITION, owner) != (paradt_index)i) return 0;
+        if (paradt__living_is_hidden(d, (paradt_index)i)) {
+            hidden++;
+            if (paradt__walk(&d->build.scene, cell, paradt__living_record(d, (paradt_index)i)) != cell) return 0;
+            if (paradt__alike_find(d, paradt__living_record(d, (paradt_index)i)) != (paradt_index)i) return 0;
+        } else {
+            vertices++;
+            if (d->dim > 0 && !paradt__mesh_has(mesh, cell, (paradt_index)i)) return 0;
+        }
+    }
+    for (i = 0; i < d->now.ids; i++) points += paradt__living_get(d, PARADT__POSITION, (paradt_index)i) >= 0;
+    for (i = 0; i < mesh->count; i++)
+        cells += (size_t)paradt__is_finite_cell(mesh->vertices + i * (size_t)mesh->corners, mesh->corners);
+    if (d->dim > 0 && (cells != d->now.cells || !paradt__mesh_verify(mesh, 1, 255))) return 0;
+    return hidden == d->now.hidden && vertices == d->now.vertices && points == d->now.points;
+}
+
+#define PARADT__VERIFY_LIVING(d)                                                                                       \
+    PARADT_ASSERT((d)->now.positions > PARADT__VERIFIED_PLACES || paradt__living_is_sound(d))
+#else
+#define PARADT__VERIFY_LIVING(d) ((void)0)
+#endif
+
 // --- the beginning and the end of a change
 
 static void paradt__living_begin(paradt_dynamic *d) {
@@ -23471,6 +23503,7 @@ static void paradt__living_begin(paradt_dynamic *d) {
     d->killed_numbers.count = d->killed_vertices.count = 0;
     d->dim_before = d->dim;
     d->rebuilt = 0;
+    paradt__meter_begin(&d->meter, &d->options);
 }
 
 // Makes the journal what paradt_dynamic_get_update gives.
@@ -23550,7 +23583,8 @@ static void paradt__living_undo(paradt_dynamic *d) {
 // made anew, by the way of paradt_triangulate. That takes as long as creating the set. The dimension falls where a
 // point is removed off the flat that all others are in. Then all finite cells have this vertex: so only where they do
 // are the others looked at, and these are Q of >>holes of vertices.
-// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_make.
+// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_make, paradt__living_start,
+// paradt__living_make_starts.
 
 // --- the space
 
@@ -23585,9 +23619,11 @@ static void paradt__living_measure(paradt_dynamic *d, const double *record) {
     if (!d->build.kept) return;
     if (space->filtered) {
         paradt__kept_forget(&d->build);
-    } else {
-        paradt__insertion_rest(&d->build);
+        return;
     }
+    d->build.scene.hint = d->build.kept->start;
+    paradt__kept_free(d->build.kept, &d->memory);
+    d->build.kept = NULL;
 }
 
 // Is a point outside of the flat that the points are in?
@@ -23707,7 +23743,7 @@ static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index pos
 static paradt_status paradt__living_withdraw(paradt_dynamic *d, paradt_index position) {
     paradt_status status;
     if (!paradt__living_is_hidden(d, position)) return paradt__living_dissolve(d, position);
-    status = paradt__living_log_room(d, 4);
+    status = paradt__living_log_room(d, 5);
     if (status) return status;
     paradt__living_start_at(d, paradt__living_get(d, PARADT__CELL, position));
     paradt__living_unhang(d, position);
@@ -24096,8 +24132,12 @@ static paradt_status paradt__living_complete(paradt_dynamic *d, paradt__work *wo
     if (!status)
         status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
                                    &d->memory);
+    d->build.count = getenv("KC") ? (size_t)atoi(getenv("KC")) : d->build.count;
     if (!status && PARADT__IS(d->dim, 3)) status = paradt__kept_begin(&d->build);
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
+    if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers)
+        paradt__kept_more_numbers(&d->build, d->now.positions + 1);
+    d->build.count = d->now.vertices;
     return status;
 }
 
@@ -24260,12 +24300,15 @@ static void paradt__census_take(paradt__census *c, const paradt_dynamic *d, cons
     }
 }
 
-// Makes the set anew from a census, and replaces the old one.
-static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__census *c) {
+// Makes the set anew from a census, and replaces the old one. silent: the call can't be cancelled
+static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__census *c, int silent) {
     paradt_points points = paradt__packed_points(c->count, d->ambient, PARADT_F64);
-    paradt__memory account = d->memory;
-    paradt_dynamic *fresh = paradt__living_new(&d->options, &account, d->ambient, d->weighted), old;
+    paradt_options options = d->options;
+    paradt_dynamic *fresh, old;
     paradt_status status;
+    paradt__memory account;
+    if (silent) options.progress = NULL;
+    fresh = paradt__living_new(&options, &d->memory, d->ambient, d->weighted);
     if (!fresh) return PARADT_ERROR_MEMORY;
     points.data = c->x;
     points.weights = d->weighted ? c->weights : NULL;
@@ -24280,7 +24323,7 @@ static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__cen
     old = *d;
     old.memory = fresh->memory;
     old.build.memory = &old.memory;
-    fresh->error_text = d->error_text;
+    fresh->options = d->options;
     *d = *fresh;
     paradt__living_free(&old);
     d->memory = old.memory;
@@ -24311,7 +24354,7 @@ static paradt_status paradt__living_rebuild(paradt_dynamic *d, const paradt__cha
         for (i = 0; i < c.ids; i++) of[i] = PARADT__NOWHERE;
         for (i = 0; i < change->count; i++) of[change->number[i]] = (paradt_index)i;
         paradt__census_take(&c, d, change, of);
-        status = paradt__living_replace(d, &c);
+        status = paradt__living_replace(d, &c, change->count == 1);
     }
     paradt__release(&d->memory, of);
     paradt__release(&d->memory, c.x);
@@ -24411,13 +24454,17 @@ static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *c
 
 // Does a change, point by point.
 static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *change) {
+    enum { PACE = 64 }; // points between two looks at whether the call is cancelled
     size_t width = (size_t)d->ambient + (size_t)d->weighted, i;
+    uint32_t reported = 0;
+    paradt__progress progress = paradt__progress_of(&d->meter, &reported, 1.0);
     paradt_status status = PARADT_OK;
     for (i = 0; i < change->count && !status; i++) {
         size_t at = (size_t)change->order[i].item;
         paradt_index id = change->number[at];
-        const double *record = change->records + at * width;
-        if (i % 64 == 63 && paradt__meter_cancels(&d->meter)) return PARADT_ERROR_CANCELLED;
+        const double *record = change->records ? change->records + at * width : NULL;
+        if (i % PACE == PACE - 1 && paradt__progress_cancels(&progress, (double)i / (double)change->count))
+            return PARADT_ERROR_CANCELLED;
         switch (change->kind) {
         case PARADT__INSERTION:
             if (d->weighted) d->weights[id] = record[d->ambient];
@@ -24453,11 +24500,15 @@ static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *chang
                                                                   : paradt__change_do(d, change);
     if (!status) {
         if (d->dim > 0) paradt__living_publish(d);
+        PARADT__VERIFY_LIVING(d);
         return PARADT_OK;
     }
     paradt__living_undo(d);
+    PARADT__VERIFY_LIVING(d);
     if (status != PARADT__GAVE_UP) return status;
-    return paradt__living_rebuild(d, change);
+    status = paradt__living_rebuild(d, change);
+    PARADT__VERIFY_LIVING(d);
+    return status;
 }
 
 // Checks a change and does it.
@@ -24667,6 +24718,51 @@ PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, 
     }
     return count;
 }
+
+#ifndef PARADT_NO_LOCATOR
+// Copies a place as records have it. Returns 0 if it is not finite.
+static int paradt__living_take(const paradt_dynamic *d, const double *x, double *to) {
+    int axis, finite = 1;
+    for (axis = 0; axis < d->ambient; axis++) {
+        to[axis] = paradt__from_ordered_bits(paradt__ordered_bits(x[d->dim < 0 ? axis : d->axes[axis]]));
+        finite &= paradt__is_finite(to[axis]);
+    }
+    return finite;
+}
+
+// Finds the cell that a place is in. Returns its face, as in paradt_location.
+static unsigned paradt__living_place(const paradt_dynamic *d, paradt__view *view, const double *x, paradt_index hint,
+                                     paradt_index *cell) {
+    unsigned inside = 0;
+    *cell = 0;
+    if (d->dim == 0) return !memcmp(x, d->records, (size_t)d->ambient * sizeof *x);
+    paradt__view_begin(view, &d->build.scene);
+    paradt__view_admit(view, x);
+    *cell = paradt__place_in(view, paradt__living_start(d, x, hint), x, &inside);
+    return inside;
+}
+
+PARADT_DEF paradt_location paradt_dynamic_locate(const paradt_dynamic *d, const double *x, paradt_index hint) {
+    paradt_location location = {-1, 0};
+    paradt__view view;
+    double own[PARADT_MAX_DIM];
+    if (!d || !x || d->dim < 0 || !paradt__living_take(d, x, own)) return location;
+    location.face = paradt__living_place(d, &view, own, hint, &location.cell);
+    return location;
+}
+
+PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const double *x, paradt_index hint) {
+    paradt__view view;
+    paradt__memory memory;
+    paradt_index cell;
+    double own[PARADT_MAX_DIM];
+    if (!d || !x || d->dim < 0 || !paradt__living_take(d, x, own)) return -1;
+    if (d->dim == 0) return paradt__living_get(d, PARADT__OWNER, 0);
+    paradt__memory_begin(&memory, &d->options);
+    paradt__living_place(d, &view, own, hint, &cell);
+    return paradt__living_get(d, PARADT__OWNER, paradt__nearest_in(&view, cell, own, &memory));
+}
+#endif
 
 // --- export
 

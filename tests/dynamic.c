@@ -1,6 +1,8 @@
 // Living sets: after any changes the cells are those of a new triangulation of the points that are there.
 #include "harness.h"
 
+#include <time.h>
+
 enum { LARGEST_DIM = SANITIZED ? 4 : 5 };
 static const int points_in[] = {0, 0, 120, 90, 36, 20};
 
@@ -294,10 +296,475 @@ static void changed_is_new(void **state) {
         }
 }
 
+
+// --- growing
+
+// Points that come one by one: all at one place, then on a line, in a plane, and so on; and that go in an order of
+// their own. The dimension rises and falls with them.
+static void dimension_rises_and_falls(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= LARGEST_DIM; dim++)
+        for (int order = 0; order < 3; order++) {
+            uint64_t seed = (uint64_t)(7 * dim + order);
+            paradt_points none = paradt_points_f64(NULL, 0, dim);
+            paradt_dynamic_info info;
+            game g = {0};
+            g.s.dim = dim;
+            assert_int_equal(paradt_dynamic_create(&g.d, &none, NULL), PARADT_OK);
+            expect_canonical(g.d, &g.s, "nothing");
+            for (int flat = 0; flat <= dim; flat++)
+                for (int i = 0; i < 5; i++) {
+                    double x[CELLS_MAX_DIM];
+                    paradt_index id;
+                    for (int k = 0; k < dim; k++) // on a slanted flat through (1, ..., 1)
+                        x[dim - 1 - k] = 1.0 + (k < flat ? (double)random_below(&seed, 64) / 8.0 : 0.0);
+                    if (flat && flat < dim)
+                        x[dim - 1 - flat] = x[dim - flat];
+                    assert_int_equal(paradt_dynamic_insert(g.d, x, 0.0, -1, &id), PARADT_OK);
+                    shadow_put(&g.s, id, x, 0.0);
+                    expect_canonical(g.d, &g.s, "growing");
+                }
+            paradt_dynamic_get_info(g.d, &info);
+            assert_int_equal(info.dim, dim);
+            while (g.s.count) {
+                paradt_index id = order == 0 ? g.s.ids - 1 : 0;
+                while (order < 2 && !g.s.there[id])
+                    id += order == 0 ? -1 : 1;
+                if (order == 2)
+                    id = shadow_any(&g.s, &seed);
+                assert_int_equal(paradt_dynamic_remove(g.d, id), PARADT_OK);
+                shadow_take(&g.s, id);
+                expect_canonical(g.d, &g.s, "shrinking");
+            }
+            game_end(&g);
+        }
+}
+
+// Points that come from farther and farther away, up to where numbers end.
+static void range_grows(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++) {
+        sample pool = family_make(&families[family_named("uniform")], NULL, dim, 40, 5);
+        game g = game_begin(&pool, 40, NULL, 3);
+        for (int e = 1; e < 1023; e += e < 12 ? 1 : 90) {
+            double x[CELLS_MAX_DIM];
+            paradt_index id;
+            for (int k = 0; k < dim; k++)
+                x[k] = ldexp(random_unit(&g.seed) - 0.5, k ? e : -e);
+            assert_int_equal(paradt_dynamic_insert(g.d, x, 0.0, -1, &id), PARADT_OK);
+            shadow_put(&g.s, id, x, 0.0);
+            expect_canonical(g.d, &g.s, "farther and farther");
+            if (e % 2)
+                game_remove(&g);
+            else
+                game_move(&g);
+            expect_canonical(g.d, &g.s, "farther and farther");
+        }
+        game_end(&g);
+        sample_free(&pool);
+    }
+}
+
+// A point with very many neighbours goes, and comes again: time does not grow as the square of their number.
+static double time_of_removal(int dim, int count, int spread) {
+    sample pool = family_make(&families[family_named("sphere")], NULL, dim, count, 9);
+    double centre[CELLS_MAX_DIM] = {0}, best = 1e9;
+    for (int k = 0; k < dim; k++)
+        centre[k] = spread ? 0.001 * (k + 1) : 0.0;
+    memcpy(pool.x, centre, sizeof(double) * (size_t)dim);
+    paradt_points points = points_of(&pool);
+    paradt_triangulation t, u;
+    paradt_dynamic *d;
+    paradt_index id = 0;
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    assert_int_equal(paradt_dynamic_export(d, &t), PARADT_OK);
+    for (int again = 0; again < 3; again++) {
+        clock_t begun = clock();
+        assert_int_equal(paradt_dynamic_remove(d, id), PARADT_OK);
+        double seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
+        best = seconds < best ? seconds : best;
+        assert_int_equal(paradt_dynamic_insert(d, centre, 0.0, -1, &id), PARADT_OK);
+    }
+    assert_int_equal(id, 0);
+    assert_int_equal(paradt_dynamic_export(d, &u), PARADT_OK);
+    assert_true(paradt_hash(&t) == paradt_hash(&u));
+    paradt_free(&t);
+    paradt_free(&u);
+    paradt_dynamic_free(d);
+    sample_free(&pool);
+    return best;
+}
+
+static void many_neighbours_take_no_square(void **state) {
+    (void)state;
+    int count = SANITIZED ? 2000 : 10000;
+    for (int dim = 2; dim <= 3; dim++) {
+        double half = time_of_removal(dim, count, 1), whole = time_of_removal(dim, 2 * count, 1);
+        print_message("# %d dimensions: %.1f ms for %d neighbours, %.1f ms for twice as many\n", dim, 1e3 * half, count,
+                      1e3 * whole);
+        if (!SANITIZED)
+            assert_true(whole < 3.5 * half);
+    }
+}
+
+// --- errors
+
+typedef struct failing {
+    size_t calls, fail_at, live;
+} failing;
+
+static void *failing_alloc(void *user, size_t size) {
+    failing *f = (failing *)user;
+    void *block = ++f->calls == f->fail_at ? NULL : malloc(size);
+    f->live += block != NULL;
+    return block;
+}
+
+static void failing_free(void *user, void *memory) {
+    ((failing *)user)->live -= memory != NULL;
+    free(memory);
+}
+
+// One change of each kind; returns its status.
+static paradt_status change_once(game *g, int kind, const double *x, const double *w, paradt_index *ids, int n) {
+    paradt_points points = paradt_points_f64(x, (size_t)n, g->s.dim);
+    points.weights = g->s.weighted ? w : NULL;
+    if (kind == 0)
+        return paradt_dynamic_insert_points(g->d, &points, ids);
+    if (kind == 1)
+        return paradt_dynamic_move_points(g->d, ids, &points);
+    return paradt_dynamic_remove_points(g->d, ids, (size_t)n);
+}
+
+// state: family
+static void failing_allocations_leave_the_set(void **state) {
+    int f = (int)(intptr_t)*state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (int w = 0; w < 3; w++)
+            for (int kind = 0; kind < 6; kind++) {
+                int count = dim < 4 ? 40 : 14, n = kind < 3 ? 1 : 9, failed = 0;
+                double x[9 * CELLS_MAX_DIM], weight[9];
+                paradt_index ids[9];
+                failing memory = {0, 0, 0};
+                paradt_options options = {0};
+                options.allocator.alloc = failing_alloc;
+                options.allocator.free = failing_free;
+                options.allocator.user = &memory;
+                sample pool = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(8 + w));
+                game g = game_begin(&pool, pool.count / 2, &options, (uint64_t)(kind + 8 * w));
+                paradt_status status = PARADT_ERROR_MEMORY;
+                for (int i = 0; i < n; i++) {
+                    game_point(&g, x + i * dim, weight + i);
+                    do
+                        ids[i] = shadow_any(&g.s, &g.seed);
+                    while (i && kind % 3 && ids[i] <= ids[i - 1] && ids[i - 1] + 2 < g.s.ids - n + i && g.s.count > 9);
+                    if (i && kind % 3 && ids[i] <= ids[i - 1])
+                        n = i;
+                }
+                for (size_t at = 1; status; at += SANITIZED ? 3 : 1) {
+                    memory.calls = 0;
+                    memory.fail_at = at;
+                    status = change_once(&g, kind % 3, x, weight, ids, n);
+                    memory.fail_at = 0;
+                    if (!status)
+                        break;
+                    failed++;
+                    assert_int_equal(status, PARADT_ERROR_MEMORY);
+                    if (at % 3 == 1 || at < 12)
+                        expect_canonical(g.d, &g.s, pool.name);
+                }
+                assert_true(failed > 2);
+                for (int i = 0; i < n; i++)
+                    if (kind % 3 < 2)
+                        shadow_put(&g.s, ids[i], x + i * dim, weight[i]);
+                    else
+                        shadow_take(&g.s, ids[i]);
+                expect_canonical(g.d, &g.s, pool.name);
+                game_end(&g);
+                assert_int_equal(memory.live, 0);
+                sample_free(&pool);
+            }
+}
+
+// Creating either works or leaves nothing behind.
+static void failing_allocations_while_creating(void **state) {
+    (void)state;
+    for (int w = 0; w < 2; w++) {
+        sample pool = family_make(&families[family_named("duplicates")], &weightings[w], 3, 60, 4);
+        paradt_points points = points_of(&pool);
+        paradt_status status = PARADT_ERROR_MEMORY;
+        for (size_t at = 1; status; at++) {
+            failing memory = {0, at, 0};
+            paradt_options options = {0};
+            paradt_dynamic *d;
+            options.allocator.alloc = failing_alloc;
+            options.allocator.free = failing_free;
+            options.allocator.user = &memory;
+            status = paradt_dynamic_create(&d, &points, &options);
+            assert_true(status == PARADT_OK || (status == PARADT_ERROR_MEMORY && !d));
+            paradt_dynamic_free(d);
+            assert_int_equal(memory.live, 0);
+        }
+        sample_free(&pool);
+    }
+}
+
+static void memory_limit_is_kept(void **state) {
+    (void)state;
+    sample pool = family_make(&families[family_named("uniform")], NULL, 3, 4000, 4);
+    paradt_options options = {0};
+    paradt_status status = PARADT_OK;
+    paradt_dynamic_info info;
+    options.memory_limit = 2 << 20;
+    game g = game_begin(&pool, 1000, &options, 2);
+    for (int i = 1000; i < pool.count && !status; i++) {
+        paradt_index id;
+        status = paradt_dynamic_insert(g.d, pool.x + 3 * i, 0.0, -1, &id);
+        if (!status)
+            shadow_put(&g.s, id, pool.x + 3 * i, 0.0);
+        paradt_dynamic_get_info(g.d, &info);
+        assert_true(info.bytes <= options.memory_limit);
+    }
+    assert_int_equal(status, PARADT_ERROR_MEMORY);
+    expect_canonical(g.d, &g.s, pool.name);
+    game_end(&g);
+    sample_free(&pool);
+}
+
+static int cancel_later(void *user, double done) {
+    int *calls = (int *)user;
+    (void)done;
+    return --*calls < 0;
+}
+
+static void cancelled_batches_leave_the_set(void **state) {
+    (void)state;
+    sample pool = family_make(&families[family_named("uniform")], NULL, 3, 6000, 4);
+    int calls = 1 << 30;
+    paradt_options options = {0};
+    options.progress = cancel_later;
+    options.user = &calls;
+    for (int large = 0; large < 2; large++)
+        for (int kind = 0; kind < 3; kind++) {
+            int n = large ? 2000 : 300, cancelled = 0;
+            paradt_index *ids = (paradt_index *)need((size_t)n, sizeof *ids);
+            calls = 1 << 30;
+            game g = game_begin(&pool, 4000, &options, 2);
+            for (int i = 0; i < n; i++)
+                ids[i] = 2 * i;
+            for (int after = 0;; after = 2 * after + 1) {
+                calls = after;
+                paradt_status status = change_once(&g, kind, pool.x + 3 * 4000, NULL, ids, n);
+                calls = 1 << 30;
+                if (!status)
+                    break;
+                cancelled++;
+                assert_int_equal(status, PARADT_ERROR_CANCELLED);
+                expect_canonical(g.d, &g.s, pool.name);
+            }
+            assert_true(cancelled > 1);
+            for (int i = 0; i < n; i++)
+                if (kind < 2)
+                    shadow_put(&g.s, ids[i], pool.x + 3 * (4000 + i), 0.0);
+                else
+                    shadow_take(&g.s, ids[i]);
+            expect_canonical(g.d, &g.s, pool.name);
+            game_end(&g);
+            free(ids);
+        }
+    sample_free(&pool);
+}
+
+static void wrong_arguments_are_refused(void **state) {
+    double x[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}, bad[] = {0.5, NAN, 0.5};
+    paradt_points points = paradt_points_f64(x, 5, 3), flat = paradt_points_f64(x, 5, 2), two = paradt_points_f64(x, 2, 3);
+    paradt_points mixed = paradt_points_f64(bad, 1, 3);
+    paradt_options options = {0};
+    paradt_dynamic *d = NULL;
+    paradt_dynamic_info info;
+    paradt_index ids[] = {1, 1}, id = 7;
+    (void)state;
+    assert_int_equal(paradt_dynamic_create(NULL, &points, NULL), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_create(&d, NULL, NULL), PARADT_ERROR_ARGUMENT);
+    assert_null(d);
+    options.flags = PARADT_FACETS;
+    assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_ERROR_ARGUMENT);
+    options.flags = 0;
+    options.method = PARADT_INCODE;
+    assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_create(&d, &mixed, NULL), PARADT_ERROR_NOT_FINITE);
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    assert_int_equal(paradt_dynamic_insert(NULL, x, 0.0, -1, NULL), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_insert(d, NULL, 0.0, -1, &id), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_insert(d, x, 1.0, -1, &id), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_insert(d, bad, 0.0, -1, &id), PARADT_ERROR_NOT_FINITE);
+    assert_int_equal(paradt_dynamic_insert_points(d, &flat, NULL), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_remove(d, -1), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_remove(d, 5), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_remove_points(d, ids, 2), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_move_points(d, ids, &two), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_move(d, 3, bad, 0.0), PARADT_ERROR_NOT_FINITE);
+    paradt_dynamic_get_info(d, &info);
+    assert_true(info.point_count == 5 && info.error_text != NULL && info.error_point == 0);
+    assert_int_equal(id, 7);
+    assert_int_equal(paradt_dynamic_remove_points(d, NULL, 0), PARADT_OK);
+    assert_int_equal(paradt_dynamic_insert(d, x, 0.0, 1 << 30, &id), PARADT_OK);
+    assert_int_equal(paradt_dynamic_representative(d, id), 0);
+    assert_int_equal(paradt_dynamic_representative(d, 100), -2);
+    assert_null(paradt_dynamic_point(d, -1, NULL));
+    paradt_dynamic_free(d);
+    paradt_dynamic_free(NULL);
+}
+
+// --- what changed
+
+// The cells by their numbers, as who follows updates has them
+typedef struct mirror {
+    int room, corners;
+    paradt_index *rows; // [room][corners] -1: there is no such cell
+} mirror;
+
+static void mirror_put(mirror *m, paradt_index cell, const paradt_index *row) {
+    for (; (int)cell >= m->room; m->room++) {
+        m->rows = (paradt_index *)realloc(m->rows, sizeof *row * (size_t)((m->room + 1) * m->corners));
+        assert_non_null(m->rows);
+        m->rows[m->room * m->corners] = -1;
+    }
+    memcpy(m->rows + (int)cell * m->corners, row, sizeof *row * (size_t)m->corners);
+}
+
+static void mirror_all(mirror *m, const paradt_dynamic *d) {
+    paradt_dynamic_info info;
+    paradt_index row[PARADT_MAX_DIM + 1];
+    paradt_dynamic_get_info(d, &info);
+    free(m->rows);
+    m->rows = NULL;
+    m->room = 0;
+    m->corners = info.dim + 1;
+    for (paradt_index cell = 0; cell < (paradt_index)info.cell_end; cell++)
+        if (paradt_dynamic_cell(d, cell, row, NULL))
+            mirror_put(m, cell, row);
+}
+
+static void updates_tell_what_changed(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (int w = 0; w < 3; w++) {
+            sample pool = family_make(&families[family_named("lattice")], &weightings[w], dim, points_in[dim], 4);
+            game g = game_begin(&pool, pool.count / 2, NULL, 2);
+            mirror m = {0, 0, NULL};
+            mirror_all(&m, g.d);
+            for (int step = 0; step < 300; step++) {
+                paradt_dynamic_update u;
+                paradt_dynamic_info info;
+                paradt_index row[PARADT_MAX_DIM + 1];
+                size_t cells = 0;
+                game_step(&g, pool.count / 2);
+                paradt_dynamic_get_update(g.d, &u);
+                paradt_dynamic_get_info(g.d, &info);
+                if (u.rebuilt) {
+                    mirror_all(&m, g.d);
+                    continue;
+                }
+                assert_int_equal(u.dim_before, info.dim);
+                for (size_t i = 0; i < u.killed_count; i++) {
+                    paradt_index *was = m.rows + (int)u.killed[i] * m.corners;
+                    assert_true((int)u.killed[i] < m.room && *was >= 0);
+                    *was = -1;
+                }
+                for (size_t i = 0; i < u.made_count; i++) {
+                    assert_true((int)u.made[i] >= m.room || m.rows[(int)u.made[i] * m.corners] < 0);
+                    assert_true(paradt_dynamic_cell(g.d, u.made[i], row, NULL));
+                    mirror_put(&m, u.made[i], row);
+                }
+                for (int cell = 0; cell < m.room || cell < (int)info.cell_end; cell++) {
+                    int is = paradt_dynamic_cell(g.d, cell, row, NULL), was = cell < m.room && m.rows[cell * m.corners] >= 0;
+                    assert_int_equal(is, was);
+                    cells += (size_t)is;
+                }
+                assert_int_equal(cells, info.cell_count);
+            }
+            free(m.rows);
+            game_end(&g);
+            sample_free(&pool);
+        }
+}
+
+// Places are found by hints and without them; the nearest is that of all points.
+static void places_are_found(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++) {
+        sample pool = family_make(&families[family_named("lattice")], NULL, dim, 4 * points_in[dim], 4);
+        game g = game_begin(&pool, pool.count / 2, NULL, 2);
+        for (int step = 0; step < 400; step++) {
+            double x[CELLS_MAX_DIM], w, best = 1e300;
+            paradt_index hint = step % 2 ? shadow_any(&g.s, &g.seed) : -1, vertices[PARADT_MAX_DIM + 1], nearest;
+            game_step(&g, pool.count / 2);
+            if (g.s.count < 2 * dim)
+                continue;
+            game_point(&g, x, &w);
+            paradt_location at = paradt_dynamic_locate(g.d, x, hint);
+            assert_true(paradt_dynamic_cell(g.d, at.cell, vertices, NULL));
+            nearest = paradt_dynamic_nearest(g.d, x, hint);
+            for (int i = 0; i < g.s.ids; i++) {
+                double distance = 0.0;
+                for (int k = 0; k < dim; k++)
+                    distance += (g.s.x[i * dim + k] - x[k]) * (g.s.x[i * dim + k] - x[k]);
+                if (g.s.there[i] && distance < best)
+                    best = distance;
+            }
+            for (int k = 0; k < dim; k++)
+                best -= (g.s.x[nearest * dim + k] - x[k]) * (g.s.x[nearest * dim + k] - x[k]);
+            assert_true(fabs(best) < 1e-9);
+            if (at.face && !(at.face & (at.face - 1))) // on a vertex
+                for (int i = 0; i <= dim; i++)
+                    if (at.face >> i & 1)
+                        assert_memory_equal(g.s.x + vertices[i] * dim, x, sizeof(double) * (size_t)dim);
+        }
+        game_end(&g);
+        sample_free(&pool);
+    }
+}
+
+// Many changes in a row; SOAK says how many.
+static void soak(void **state) {
+    const char *wanted = getenv("SOAK");
+    long steps = wanted ? atol(wanted) : SANITIZED ? 5000 : 100000;
+    static const char *const names[] = {"uniform", "lattice", "duplicates", "sphere"};
+    (void)state;
+    for (int run = 0; run < 8; run++) {
+        int dim = 2 + run % 2;
+        sample pool = family_make(&families[family_named(names[run / 2])], &weightings[run % 3 == 2 ? 3 : 0], dim, 2000, 4);
+        game g = game_begin(&pool, 1000, NULL, (uint64_t)run);
+        for (long step = 0; step < steps / 8; step++) {
+            game_step(&g, 1000);
+            if (step % (steps / 80) == 0)
+                expect_canonical(g.d, &g.s, pool.name);
+        }
+        expect_canonical(g.d, &g.s, pool.name);
+        game_end(&g);
+        sample_free(&pool);
+    }
+}
+
 int main(void) {
-    struct CMUnitTest tests[FAMILY_COUNT + 16];
+    struct CMUnitTest tests[2 * FAMILY_COUNT + 16];
+    static const char *const some[] = {"uniform", "lattice", "duplicates", "axis plane", "line"};
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT; f++)
         tests[count++] = named_test(changed_is_new, (void *)(intptr_t)f, "changed_is_new_%s", families[f].name);
+    for (size_t i = 0; i < sizeof some / sizeof *some; i++)
+        tests[count++] = named_test(failing_allocations_leave_the_set, (void *)(intptr_t)family_named(some[i]),
+                                    "failing_allocations_leave_the_set_%s", some[i]);
+    tests[count++] = named_test(failing_allocations_while_creating, NULL, "failing_allocations_while_creating");
+    tests[count++] = named_test(dimension_rises_and_falls, NULL, "dimension_rises_and_falls");
+    tests[count++] = named_test(range_grows, NULL, "range_grows");
+    tests[count++] = named_test(many_neighbours_take_no_square, NULL, "many_neighbours_take_no_square");
+    tests[count++] = named_test(memory_limit_is_kept, NULL, "memory_limit_is_kept");
+    tests[count++] = named_test(cancelled_batches_leave_the_set, NULL, "cancelled_batches_leave_the_set");
+    tests[count++] = named_test(wrong_arguments_are_refused, NULL, "wrong_arguments_are_refused");
+    tests[count++] = named_test(updates_tell_what_changed, NULL, "updates_tell_what_changed");
+    tests[count++] = named_test(places_are_found, NULL, "places_are_found");
+    tests[count++] = named_test(soak, NULL, "soak");
     return run_named_tests("dynamic", tests, count);
 }
