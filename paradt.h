@@ -20837,13 +20837,15 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
 PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt__halfspace *h, const double *y, int d,
                                          int far) {
     double value = far ? 0 : -h->offset, size = far ? 0 : PARADT__OFFSET_ROUNDINGS(d) * h->size, sum = 0, error;
+    double reach = 1; // what underflow has made of a normal is multiplied by y
     int j;
     for (j = 0; j < d; j++) {
+        reach += paradt__abs(y[j]);
         value += h->normal[j] * y[j];
         size += paradt__abs(h->normal[j] * y[j]) * (d + 4);
         sum += paradt__abs(h->normal[j]);
     }
-    error = (size * PARADT__ROUNDOFF + sum * y[d]) * (1 + 32 * PARADT__ROUNDOFF) + g->tiny;
+    error = (size * PARADT__ROUNDOFF + sum * y[d]) * (1 + 32 * PARADT__ROUNDOFF) + g->tiny * reach;
     return value > error ? 1 : value < -error ? -1 : PARADT__UNDECIDED;
 }
 
@@ -20878,7 +20880,7 @@ PARADT__NOINLINE int paradt__centre_exact(const paradt__diagram *g, const paradt
     radius2 = sphere.radius2;
     (void)radius2;
     for (i = 0; i < d; i++) {
-        if (g->shift) centre[i] = paradt__scale(centre[i], -g->shift, &exact);
+        if (g->shift && paradt__is_finite(centre[i])) centre[i] = paradt__scale(centre[i], -g->shift, &exact);
         largest = paradt__larger(largest, paradt__abs(centre[i]));
     }
     centre[d] = largest * PARADT__ROUNDOFF + g->tiny;
@@ -21781,13 +21783,12 @@ PARADT__COLD int paradt__exact_above(paradt__exact_work *work, const paradt__dia
 }
 
 // Finds where d planes meet. far: of y = A + M B finds B. Fills y[d], each the double nearest to the true one: of y in
-// scaled coordinates, where nothing is rounded again but what the scale makes subnormal, or with `absolute` of p + y as
-// the caller counts. Fills y[d] with a bound of the error.
+// scaled coordinates, or with `absolute` of p + y as the caller counts. Fills y[d] with a bound of the error.
 PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
                                      const paradt__halfspace *const *planes, int far, int absolute, double *y) {
     paradt__exact_rows rows;
     paradt__integer determinant, numerator;
-    int d = g->d, j, exact = 1, digits;
+    int d = g->d, j, digits;
     size_t used, more;
     double largest = 0;
     paradt__exact_begin(&rows, g, p, d, planes);
@@ -21825,11 +21826,10 @@ PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__dia
         quotient.b = determinant;
         quotient.a_sign = paradt__integer_sign(numerator);
         quotient.b_sign = paradt__integer_sign(determinant);
-        quotient.exponent = far ? 0 : rows.unit - 1;
+        quotient.exponent = far ? 0 : rows.unit - 1 - (absolute ? 0 : g->shift);
         quotient.work = work->digits + more;
         quotient.sum = work->sum;
         y[j] = quotient.a_sign ? paradt__quotient_round(&quotient) : 0;
-        if (!far && !absolute && g->shift) y[j] = paradt__scale(y[j], -g->shift, &exact);
         largest = paradt__larger(largest, paradt__abs(y[j]));
     }
     y[d] = PARADT__ROUNDOFF * largest + paradt__power(-1022);

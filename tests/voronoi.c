@@ -617,7 +617,7 @@ static void check_diagram(const sample *s, const clip *k, unsigned outputs, int 
     paradt_voronoi v;
     paradt_voronoi_request request = {0};
     const char *wrong = NULL;
-    int d = s->dim, flat_cells = 0, far = ordinary ? 2000 : 20000;
+    int d = s->dim, flat_cells = 0, far = ordinary ? 2000 : 100000;
     double reach = 0;
     char text[200];
     size_t places = 0, room = 0;
@@ -774,10 +774,30 @@ static void cells_in_space_are_those_of_the_definition(void **state) {
     compare_families(3, 14, EVERYTHING, NULL, is_quick() || SANITIZED ? 1 : 2);
 }
 
+static void power_diagrams_are_those_of_the_definition(void **state) {
+    (void)state;
+    for (size_t w = 1; w < sizeof weightings / sizeof *weightings; w++) {
+        compare_families(2, 10, EVERYTHING, &weightings[w], 1);
+        compare_families(3, 10, EVERYTHING, &weightings[w], 1);
+    }
+}
+
+static void cells_of_higher_dimensions_are_those_of_the_definition(void **state) {
+    (void)state;
+    const unsigned outputs = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_FACES | PARADT_VORONOI_POLYGONS;
+    compare_families(4, 9, outputs, NULL, 1);
+    if (is_quick())
+        return;
+    compare_families(4, 9, outputs, &weightings[3], 1);
+    compare_families(5, 8, outputs, NULL, 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cells_in_the_plane_are_those_of_the_definition),
         cmocka_unit_test(cells_in_space_are_those_of_the_definition),
+        cmocka_unit_test(power_diagrams_are_those_of_the_definition),
+        cmocka_unit_test(cells_of_higher_dimensions_are_those_of_the_definition),
     };
     return cmocka_run_group_tests_name("voronoi", tests, NULL, NULL);
 }
