@@ -24898,7 +24898,7 @@ PARADT__INLINE void paradt__diagram_bisector(const paradt__diagram *g, paradt_in
     const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
     double squares = 0;
     int j;
-    PARADT__UNROLL
+    PARADT__UNROLL_4
     for (j = 0; j < d; j++) {
         h->normal[j] = to[j] - from[j];
         squares += h->normal[j] * h->normal[j];
@@ -24932,6 +24932,12 @@ static void paradt__diagram_wall(const paradt__diagram *g, paradt_index p, size_
     if (wall->far) h->offset = 0, h->size = g->tiny;
     h->side = -1 - (paradt_index)number;
     h->far = wall->far;
+}
+
+// The plane of the cell of p that has a given side
+static void paradt__diagram_plane(const paradt__diagram *g, paradt_index p, paradt_index side, paradt__halfspace *h) {
+    if (side < 0) paradt__diagram_wall(g, p, (size_t)(-1 - side), h);
+    else paradt__diagram_bisector(g, p, side, h, g->d);
 }
 
 // The determinants of d + 1 columns, of which one is left out, by all minors. The last column is the offsets.
@@ -25039,13 +25045,15 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
 PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt__halfspace *h, const double *y, int d,
                                          int far) {
     double value = far ? 0 : -h->offset, size = far ? 0 : PARADT__OFFSET_ROUNDINGS(d) * h->size, sum = 0, error;
+    double reach = 1; // what underflow has made of a normal is multiplied by y
     int j;
     for (j = 0; j < d; j++) {
+        reach += paradt__abs(y[j]);
         value += h->normal[j] * y[j];
         size += paradt__abs(h->normal[j] * y[j]) * (d + 4);
         sum += paradt__abs(h->normal[j]);
     }
-    error = (size * PARADT__ROUNDOFF + sum * y[d]) * (1 + 32 * PARADT__ROUNDOFF) + g->tiny;
+    error = (size * PARADT__ROUNDOFF + sum * y[d]) * (1 + 32 * PARADT__ROUNDOFF) + g->tiny * reach;
     return value > error ? 1 : value < -error ? -1 : PARADT__UNDECIDED;
 }
 
@@ -25080,7 +25088,7 @@ PARADT__NOINLINE int paradt__centre_exact(const paradt__diagram *g, const paradt
     radius2 = sphere.radius2;
     (void)radius2;
     for (i = 0; i < d; i++) {
-        if (g->shift) centre[i] = paradt__scale(centre[i], -g->shift, &exact);
+        if (g->shift && paradt__is_finite(centre[i])) centre[i] = paradt__scale(centre[i], -g->shift, &exact);
         largest = paradt__larger(largest, paradt__abs(centre[i]));
     }
     centre[d] = largest * PARADT__ROUNDOFF + g->tiny;
@@ -25169,8 +25177,7 @@ PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t t
 PARADT__HOT void paradt__centres_task(void *context, size_t task) {
     paradt__centring *centring = (paradt__centring *)context;
     if (centring->g->d == 2) paradt__centres_of_task(centring, task, 2);
-    else if (PARADT__IS(centring->g->d, 3)) paradt__centres_of_task(centring, task, 3);
-    else paradt__centres_of_task(centring, task, centring->g->d);
+    else paradt__centres_of_task(centring, task, 3);
 }
 
 // Makes the centres of all cells of a triangulation that is as wide as space, and finds the cells of the diagram that
@@ -25984,13 +25991,12 @@ PARADT__COLD int paradt__exact_above(paradt__exact_work *work, const paradt__dia
 }
 
 // Finds where d planes meet. far: of y = A + M B finds B. Fills y[d], each the double nearest to the true one: of y in
-// scaled coordinates, where nothing is rounded again but what the scale makes subnormal, or with `absolute` of p + y as
-// the caller counts. Fills y[d] with a bound of the error.
+// scaled coordinates, or with `absolute` of p + y as the caller counts. Fills y[d] with a bound of the error.
 PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
                                      const paradt__halfspace *const *planes, int far, int absolute, double *y) {
     paradt__exact_rows rows;
     paradt__integer determinant, numerator;
-    int d = g->d, j, exact = 1, digits;
+    int d = g->d, j, digits;
     size_t used, more;
     double largest = 0;
     paradt__exact_begin(&rows, g, p, d, planes);
@@ -26028,11 +26034,10 @@ PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__dia
         quotient.b = determinant;
         quotient.a_sign = paradt__integer_sign(numerator);
         quotient.b_sign = paradt__integer_sign(determinant);
-        quotient.exponent = far ? 0 : rows.unit - 1;
+        quotient.exponent = far ? 0 : rows.unit - 1 - (absolute ? 0 : g->shift);
         quotient.work = work->digits + more;
         quotient.sum = work->sum;
         y[j] = quotient.a_sign ? paradt__quotient_round(&quotient) : 0;
-        if (!far && !absolute && g->shift) y[j] = paradt__scale(y[j], -g->shift, &exact);
         largest = paradt__larger(largest, paradt__abs(y[j]));
     }
     y[d] = PARADT__ROUNDOFF * largest + paradt__power(-1022);
@@ -26743,7 +26748,7 @@ static paradt_status paradt__convex_measure(const paradt__convex *c, paradt__con
 //
 // Corners of faces are vertices of the diagram, named by a cell of the triangulation, or others, where a wall clips:
 // these have exact coordinates, rounded once, by which other cells' corners are found to be the same.
-// Doors: paradt__clip_all, struct paradt__corner_list, paradt__corner_list_free.
+// Doors: paradt__clip_all, struct paradt__corner_list, paradt__corner_list_free, paradt__corner_list_same.
 
 enum { PARADT__EDGE_CLIPPED = 255 }; // instead of an edge's number: the face's corners are in a list
 
@@ -26752,13 +26757,29 @@ enum { PARADT__EDGE_CLIPPED = 255 }; // instead of an edge's number: the face's 
 typedef struct paradt__corner_list {
     paradt__list corners;
     double *places; // [place_capacity][d] as the caller counts, along the set's axes
+    paradt_index *planes; // [place_capacity][1 + d] a point, and the sides of planes of its cell that meet there
     size_t place_count, place_capacity;
 } paradt__corner_list;
 
 static void paradt__corner_list_free(paradt__corner_list *list, paradt__memory *memory) {
     paradt__list_free(&list->corners, memory);
     paradt__release(memory, list->places);
+    paradt__release(memory, list->planes);
     memset(list, 0, sizeof *list);
+}
+
+// Makes room for `more` places.
+static paradt_status paradt__corner_list_grow(paradt__corner_list *list, size_t more, int d, paradt__memory *memory) {
+    void *places = list->places, *planes = list->planes;
+    size_t capacity = 2 * list->place_capacity, row = (size_t)d * sizeof(double);
+    if (capacity < list->place_count + more) capacity = list->place_count + more;
+    if (!paradt__grow(memory, &places, list->place_count, capacity, row)) return PARADT_ERROR_MEMORY;
+    list->places = (double *)places;
+    row = (size_t)(d + 1) * sizeof(paradt_index);
+    if (!paradt__grow(memory, &planes, list->place_count, capacity, row)) return PARADT_ERROR_MEMORY;
+    list->planes = (paradt_index *)planes;
+    list->place_capacity = capacity;
+    return PARADT_OK;
 }
 
 typedef struct paradt__clipping {
@@ -26855,14 +26876,14 @@ static paradt_status paradt__clip_name(paradt__clipper *clipper, size_t vertex, 
         return c->exact.status;
     }
     if (list->place_count == list->place_capacity) {
-        void *places = list->places;
-        size_t capacity = 2 * list->place_capacity + 64;
-        if (!paradt__grow(clipper->memory, &places, list->place_count, capacity, (size_t)g->d * sizeof(double)))
-            return PARADT_ERROR_MEMORY;
-        list->places = (double *)places;
-        list->place_capacity = capacity;
+        paradt_status status = paradt__corner_list_grow(list, 64, g->d, clipper->memory);
+        if (status) return status;
     }
-    for (i = 0; i < (size_t)g->d; i++) h[i] = paradt__convex_plane(c, vertex, (int)i);
+    list->planes[list->place_count * (size_t)(g->d + 1)] = c->p;
+    for (i = 0; i < (size_t)g->d; i++) {
+        h[i] = paradt__convex_plane(c, vertex, (int)i);
+        list->planes[list->place_count * (size_t)(g->d + 1) + 1 + i] = h[i]->side;
+    }
     paradt__exact_meet(&c->exact, g, c->p, h, 0, 1, y);
     for (i = 0; i < (size_t)g->d; i++) list->places[list->place_count * (size_t)g->d + i] = y[i] + 0.0;
     *name = -2 - (paradt_index)list->place_count++;
@@ -27082,15 +27103,33 @@ static paradt_status paradt__clip_join(paradt__clipping *clipping, size_t task, 
         left--;
         status = paradt__list_append(&corners->corners, item, memory);
     }
-    if (!status && more->place_count) {
-        void *array = corners->places;
-        size_t capacity = places + more->place_count;
-        if (!paradt__grow(memory, &array, places, capacity, d * sizeof(double))) return PARADT_ERROR_MEMORY;
-        corners->places = (double *)array;
-        corners->place_capacity = corners->place_count = capacity;
-        memcpy(corners->places + places * d, more->places, more->place_count * d * sizeof(double));
+    if (status || !more->place_count) return status;
+    status = paradt__corner_list_grow(corners, more->place_count, clipping->g->d, memory);
+    if (status) return status;
+    memcpy(corners->places + places * d, more->places, more->place_count * d * sizeof(double));
+    memcpy(corners->planes + places * (d + 1), more->planes, more->place_count * (d + 1) * sizeof(paradt_index));
+    corners->place_count += more->place_count;
+    return PARADT_OK;
+}
+
+// Are two places of a list the same? That is, are all planes that meet at the second at the first, too?
+static int paradt__corner_list_same(const paradt__diagram *g, const paradt__corner_list *list, size_t a, size_t b,
+                                    paradt__exact_work *exact) {
+    size_t row = (size_t)g->d + 1, i, j;
+    const paradt_index *first = list->planes + a * row, *second = list->planes + b * row;
+    paradt__halfspace planes[PARADT_MAX_DIM + 1];
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    if (memcmp(list->places + a * (row - 1), list->places + b * (row - 1), (row - 1) * sizeof(double))) return 0;
+    for (i = 0; i < row - 1; i++) paradt__diagram_plane(g, first[0], first[i + 1], &planes[i]);
+    for (i = 0; i < row; i++) h[i] = planes + i;
+    for (i = 0; i < row; i++) { // the second's point counts as a plane between both points
+        for (j = 1; j < row && first[j] != second[i]; j++) {
+        }
+        if (j < row || second[i] == first[0]) continue;
+        paradt__diagram_plane(g, first[0], second[i], &planes[row - 1]);
+        if (paradt__exact_above(exact, g, first[0], h)) return 0;
     }
-    return status;
+    return 1;
 }
 
 // Clips all cells that `again` has a mark for.
@@ -27320,12 +27359,18 @@ static void *paradt__voronoi_array(paradt__voronoi_work *work, size_t count, siz
     return array;
 }
 
+// Brings a number of `dim` dimensions back to the caller's scale; what is not finite stays so.
+static double paradt__voronoi_unscaled(const paradt__diagram *g, double value, int dim) {
+    int exact = 1;
+    return g->shift && paradt__is_finite(value) ? paradt__scale(value, dim * g->shift, &exact) : value;
+}
+
 // Brings a measure of `dim` dimensions back to the caller's scale, and adds what that costs to its error.
 static double paradt__voronoi_unscale(const paradt__diagram *g, double value, int dim, double *error) {
     int exact = 1;
     if (g->shift) {
-        value = paradt__scale(value, dim * g->shift, &exact);
-        *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
+        value = paradt__voronoi_unscaled(g, value, dim);
+        if (paradt__is_finite(*error)) *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
     }
     *error += paradt__power(-1000);
     if (paradt__bits(paradt__abs(value)) >= UINT64_C(0x7fefffffffffffff)) *error = HUGE_VAL;
@@ -27348,7 +27393,9 @@ static paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_vo
     for (i = 0; i < n && work->tally.sums; i++) {
         const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
         int infinite = out->unbounded[i];
-        double volume = infinite ? HUGE_VAL : sums[0], error = infinite || !(sums[0] > 0) ? 0 : sums[1];
+        double volume = infinite ? HUGE_VAL : sums[0], error = infinite ? 0 : sums[1];
+        if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
+        double scaled = volume;
         if (out->volumes) {
             if (!infinite && volume > 0) volume = paradt__voronoi_unscale(g, volume, d, &error);
             out->volumes[i] = volume;
@@ -27356,10 +27403,9 @@ static paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_vo
             out->volume += volume;
         }
         for (j = 0; j < d && out->centroids; j++) {
-            double x = paradt__diagram_point(g, (paradt_index)i)[j] + sums[2 + j] / sums[0];
-            int exact = 1;
-            if (g->shift) x = paradt__scale(x, g->shift, &exact);
-            out->centroids[i * (size_t)d + (size_t)g->set.axes[j]] = infinite || !(volume > 0) ? NAN : x;
+            double x = paradt__diagram_point(g, (paradt_index)i)[j] + sums[2 + j] / scaled;
+            x = paradt__voronoi_unscaled(g, x, 1);
+            out->centroids[i * (size_t)d + (size_t)g->set.axes[j]] = infinite || !(scaled > 0) ? NAN : x;
         }
     }
     return PARADT_OK;
@@ -27393,7 +27439,6 @@ static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_vo
     paradt__face_list *list = &work->list;
     const paradt__diagram *g = &work->g;
     size_t i, d = (size_t)g->d, j;
-    int exact = 1;
     out->face_count = list->count;
     out->sides = list->sides;
     out->areas = list->areas;
@@ -27404,12 +27449,12 @@ static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_vo
     if (out->areas && (g->shift || g->k < g->d)) {
         for (i = 0; i < out->face_count; i++) {
             double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
-            out->areas[i] = paradt__scale(out->areas[i], (g->d - 1) * g->shift, &exact);
+            out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
             memcpy(centroid, out->face_centroids + i * d, d * sizeof(double));
             memcpy(normal, out->normals + i * d, d * sizeof(double));
             for (j = 0; j < d; j++) {
                 out->normals[i * d + (size_t)g->set.axes[j]] = normal[j];
-                out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__scale(centroid[j], g->shift, &exact);
+                out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__voronoi_unscaled(g, centroid[j], 1);
             }
         }
     }
@@ -27488,6 +27533,8 @@ static paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__voron
 static paradt_status paradt__numbering_places(paradt__numbering *n, paradt__voronoi_work *work) {
     const paradt__corner_list *list = &work->corners;
     size_t count = list->place_count, i, j, d = (size_t)work->g.d;
+    paradt__exact_work exact;
+    paradt_status status;
     paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(&work->memory, 2 * count + 1, sizeof *keyed);
     n->alias = (paradt_index *)paradt__alloc(&work->memory, count, sizeof *n->alias);
     n->placed = (paradt_index *)paradt__alloc(&work->memory, count, sizeof *n->placed);
@@ -27501,18 +27548,23 @@ static paradt_status paradt__numbering_places(paradt__numbering *n, paradt__voro
         n->placed[i] = -1;
     }
     paradt__keyed_sort(keyed, keyed + count, count, 64, 0);
+    memset(&exact, 0, sizeof exact);
+    exact.memory = &work->memory;
     for (i = 0; i < count; i++) {
         size_t at = (size_t)keyed[i].item;
         n->alias[at] = (paradt_index)at;
         for (j = i; j > 0 && keyed[j - 1].key == keyed[i].key; j--) {
             size_t other = (size_t)keyed[j - 1].item;
-            if (memcmp(list->places + at * d, list->places + other * d, d * sizeof(double))) continue;
+            if (n->alias[other] != (paradt_index)other || !paradt__corner_list_same(&work->g, list, at, other, &exact))
+                continue;
             n->alias[at] = n->alias[other];
             break;
         }
     }
     paradt__release(&work->memory, keyed);
-    return PARADT_OK;
+    status = exact.status;
+    paradt__exact_free(&exact);
+    return status;
 }
 
 // Appends a corner to the polygon that began at `begin`, unless it is the last one's again.
@@ -27544,7 +27596,9 @@ static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__vorono
     paradt_status status = PARADT_OK;
     if (edge == PARADT__EDGE_CLIPPED) {
         const paradt_index *corners = work->corners.corners.items + cell;
-        for (i = 1; i <= (size_t)corners[0] && !status; i++) status = paradt__numbering_add(n, work, begin, corners[i]);
+        size_t count = (size_t)corners[0]; // backwards where axes that are an odd permutation turn it over
+        for (i = 0; i < count && !status; i++)
+            status = paradt__numbering_add(n, work, begin, corners[g->odd && g->d <= 3 ? count - i : i + 1]);
     } else if (g->d == 2) {
         status = paradt__numbering_add(n, work, begin, g->mesh.links[3 * cell + edge] / 3);
         if (!status) status = paradt__numbering_add(n, work, begin, cell);
