@@ -21857,7 +21857,7 @@ static paradt_status paradt__along(paradt__view *view, paradt_index from, const 
     ray.steps = 2 * mesh->count;
     if (inside) paradt__ray_set_face(&ray, paradt__mesh_row(mesh, cell), mesh->corners, inside);
     else cell = paradt__ray_approach(&ray, cell);
-    while (cell >= 0 && !status) {
+    for (; cell >= 0 && !status && ray.steps; ray.steps--) {
         cell = paradt__ray_enter(&ray, cell);
         if (cell < 0) break;
         status = paradt__list_append(cells, cell, memory);
