@@ -55,7 +55,7 @@ int main(void) {
         value /= whole;
         squares += pow(value - height(grid[i]), 2);
         inside++;
-        fprintf(svg, "<rect x='%d' y='%d' width='1.1' height='1.1' fill='hsl(%.0f,70%%,60%%)'/>\n", i % SIDE, i / SIDE,
+        fprintf(svg, "<rect x='%d' y='%d' width='1.1' height='1.1' fill='hsl(%.0f,55%%,65%%)'/>\n", i % SIDE, i / SIDE,
                 220 - 90 * (1 - value));
     }
     for (int i = 0; i < SAMPLES; i++)

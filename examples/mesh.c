@@ -29,7 +29,7 @@ static void draw(FILE *svg, const paradt_index *v) {
     float ux = b->x - a->x, uy = b->y - a->y, uz = b->z - a->z, wx = c->x - a->x, wy = c->y - a->y, wz = c->z - a->z;
     float nx = uy * wz - uz * wy, ny = uz * wx - ux * wz, nz = ux * wy - uy * wx;
     float light = (0.6f * nz - 0.7f * nx + 0.4f * ny) / sqrtf(nx * nx + ny * ny + nz * nz);
-    fprintf(svg, "<path fill='hsl(90,30%%,%.0f%%)' d='M", 25 + 60 * fmaxf(light, 0));
+    fprintf(svg, "<path fill='hsl(90,30%%,%.0f%%)' d='M", 45 + 40 * light);
     for (int j = 0; j < 3; j++)
         fprintf(svg, "%.1f %.1f ", 20 + 360 * vertices[v[j]].x, 280 - 130 * vertices[v[j]].y - 200 * vertices[v[j]].z);
     fprintf(svg, "Z'/>\n");

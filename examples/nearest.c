@@ -41,16 +41,16 @@ int main(void) {
     }
     paradt_index last = -1; // the answer before is a good hint: the wanderer has not gone far
     int changes = 0;
+    fprintf(svg, "<g fill='#222'>\n");
     for (int step = 0; step < STEPS; step++) {
         const double turn = 0.04 * step, here[2] = {0.5 + 0.0014 * step * cos(turn), 0.5 + 0.0014 * step * sin(turn)};
         paradt_index now = paradt_nearest_one(locator, here, last);
-        if (now != last) { // a dot where another shelter becomes the nearest
-            fprintf(svg, "<circle cx='%.1f' cy='%.1f' r='4' fill='#222'/>\n", 400 * here[0], 400 * here[1]);
-            changes++;
-        }
+        // a large dot where another shelter becomes the nearest
+        fprintf(svg, "<circle cx='%.1f' cy='%.1f' r='%g'/>\n", 400 * here[0], 400 * here[1], now != last ? 4.5 : 1.2);
+        changes += now != last;
         last = now;
     }
-    fprintf(svg, "</svg>\n");
+    fprintf(svg, "</g>\n</svg>\n");
     fclose(svg);
     printf("the wanderer's nearest shelter changed %d times\n", changes);
     paradt_locator_free(locator);

@@ -8,7 +8,8 @@
 // are. So use.sh runs two programs by turns, each with its own triangulation in memory. A program that does not know an
 // operation says so; with a count of 0 nothing is done.
 //
-// Locating takes other queries in each round; inserting, removing and moving go on where they ended.
+// Locating takes other queries in each round, from the end of the file; inserting takes them from its beginning, and
+// removing and moving go on where they ended, too.
 #ifndef BENCH_USE_H
 #define BENCH_USE_H
 
@@ -167,7 +168,7 @@ static inline void use_obey(use *u, const char *name, const use_operation *opera
     size_t i;
     if (sscanf(line, "%63s %zu %zu", wanted, &u->count, &u->asked) != 3)
         bench_fail("not an operation, a count and a round", line);
-    u->asked *= u->count;
+    u->asked = u->queries.count - u->asked * u->count % u->queries.count;
     u->check = 0;
     memset(&u->clock, 0, sizeof u->clock);
     for (i = 0; i < operation_count && strcmp(operations[i].name, wanted); i++)
