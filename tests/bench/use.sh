@@ -112,12 +112,13 @@ table() {
 
 echo "$N uniform points, d = $DIM, $COUNT operations a run, $ROUNDS runs. CPU microseconds an operation, or a point: least"
 echo "of the runs; ratio: median; same: are the answers; memory: of ParaDT, of the peer"
+echo
 echo "| operation | ParaDT | peer | | ratio | same | memory |"
 echo "|---|---|---|---|---|---|---|"
 rows | while read -r ours peer theirs; do
     case " ${USE_OPERATIONS:-$ours} " in *" $ours "*) ;; *) continue ;; esac
     [ "$peer" != voro ] || [ "$DIM" = 3 ] || continue
-    knows paradt "$ours" && knows "$peer" "$theirs" || continue
+    if ! { knows paradt "$ours" && knows "$peer" "$theirs"; }; then continue; fi
     round=0
     [ "$ours" != cells ] || round=$((ROUNDS - 1))
     while [ "$round" -lt "$ROUNDS" ]; do
