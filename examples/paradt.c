@@ -209,8 +209,8 @@ static void print_help(void) {
         "  .ele comes with .node and .neigh; .off, .ply and .obj hold the hull in 3D, the triangles in 2D\n"
         "  with --hull: .off, .ply and .obj, and .npy, the array of facets\n"
         "  of --voronoi: .csv, .npy (a row a point: index, volume, centroid, number of faces), .vtu, .svg and .png;\n"
-        "  of --locate and --nearest: .csv, .npy (a row a query) and .vtu; -: as .csv, on standard output instead of\n"
-        "  the summary. Inputs of queries: as INPUT.\n\nMethods:",
+        "  of --locate and --nearest, whose Q is as INPUT: .csv, .npy (a row a query) and .vtu;\n"
+        "  for these three - is a .csv on standard output, instead of the summary\n\nMethods:",
         paradt_io_outputs());
     for (i = 0; i < PARADT_METHOD_COUNT; i++)
         printf(" %s", paradt_method_string((paradt_method)i));
