@@ -20653,8 +20653,12 @@ typedef struct paradt__diagram {
     int d, k; // dimension of space; of the triangulation
     int weighted;
     paradt__set set;      // the points, in the caller's order
-    paradt__mesh mesh;    // of the triangulation, closed; none where k is less than 1
-    size_t cells;         // places of cells; ghosts follow
+    size_t cells;         // of the triangulation
+    char *rows;           // [cells] of row_bytes: vertices; where `centred` links, and then the cell's centre and its error
+    char *rows_block;     // the memory that they are in
+    size_t row_bytes;
+    size_t hull;          // facets of the hull
+    int centred;          // the triangulation is as wide as space, of two or three dimensions
     const double *scaled; // [set.count][set.width] what floating point works with; set.records where shift is 0
     int shift;
     double tiny;         // more than what underflow adds to a determinant
@@ -20662,7 +20666,6 @@ typedef struct paradt__diagram {
     size_t wall_count;
     int odd;             // the axes are an odd permutation of the caller's
     int nothing;         // the box has a lower bound above the upper
-    double *centres;     // [cells][d + 1] a vertex of the diagram, as far as nothing clips it; and its error
     unsigned char *kind; // [set.count] PARADT__CELL_* bits
     paradt__memory *memory;
     paradt__meter *meter;
@@ -20679,6 +20682,17 @@ typedef struct paradt__halfspace {
 // A square of a difference has been rounded three times, the sum of d squares d - 1 times, and a difference of weights
 // adds two and a sum; the offset of a wall takes fewer.
 #define PARADT__OFFSET_ROUNDINGS(d) ((d) + 6)
+
+// The bytes of a row with links and a centre; a cache line in space
+#define PARADT__ROW_BYTES(d) ((size_t)((d) + 1) * (2 * sizeof(paradt_index) + sizeof(double)))
+
+PARADT__INLINE paradt_index *paradt__row_vertices(const paradt__diagram *g, size_t cell, size_t bytes) {
+    return (paradt_index *)(void *)(g->rows + cell * bytes);
+}
+
+PARADT__INLINE double *paradt__row_centre(const paradt_index *vertices, int d) {
+    return (double *)(void *)(uintptr_t)(vertices + 2 * (d + 1));
+}
 
 PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, paradt_index point) {
     return g->scaled + (size_t)point * g->set.width;
@@ -20850,6 +20864,140 @@ PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt_
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>diagram order
+//
+// Points along Hilbert's curve, and the cells of the triangulation in the order of the first of their points: so what
+// is near in space is near in memory. A caller's points may come in any order, and cells in that of their making; to
+// walk around edges of these takes three times as long. From here on points are positions of the set. What belongs to a
+// cell comes into one row, and ghosts become hull points whose cells are unbounded.
+// Doors: paradt__diagram_rows.
+
+enum { PARADT__DIAGRAM_FEW = 4096 }; // cells: so few are in fast memory anyway
+
+// Sorts the points. to: [set.count] where each of them comes
+PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt_index *to) {
+    paradt__set *set = &g->set;
+    size_t i, n = set->count, width = set->width;
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc_filled(g->memory, 2 * n, sizeof *keyed);
+    double *records = (double *)paradt__alloc_filled(g->memory, n + 1, width * sizeof *records);
+    paradt__curve curve;
+    set->origin = (paradt_index *)paradt__alloc_filled(g->memory, n, sizeof *set->origin);
+    if (!keyed || !records || !set->origin) {
+        paradt__release(g->memory, keyed);
+        paradt__release(g->memory, records);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < n; i++) keyed[i].item = (paradt_index)i;
+    paradt__curve_begin(&curve, g->d, paradt__levels_for(n, g->d), set->space.low, set->space.high, n);
+    paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n);
+    for (i = 0; i < n; i++) {
+        PARADT__FETCH(set->records, (size_t)keyed[i + 16 < n ? i + 16 : i].item * width);
+        set->origin[i] = keyed[i].item;
+        to[keyed[i].item] = (paradt_index)i;
+        paradt__copy_record(records + i * width, set->records + (size_t)keyed[i].item * width, width);
+    }
+    paradt__release(g->memory, set->records);
+    paradt__release(g->memory, keyed);
+    set->records = records;
+    return PARADT_OK;
+}
+
+// The least vertex of a cell
+PARADT__INLINE paradt_index paradt__diagram_least(const paradt_index *vertices, int corners) {
+    paradt_index least = vertices[0];
+    int i;
+    for (i = 1; i < corners; i++) least = vertices[i] < least ? vertices[i] : least;
+    return least;
+}
+
+// Finds where cells come, whose vertices are positions. to: [cells]; first: [set.count + 1] scratch
+PARADT__INLINE void paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh, paradt_index *to,
+                                               paradt_index *first, int corners) {
+    size_t cell, i;
+    memset(first, 0, (g->set.count + 1) * sizeof *first);
+    for (cell = 0; cell < g->cells; cell++)
+        first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners) + 1]++;
+    for (i = 0; i < g->set.count; i++) first[i + 1] += first[i];
+    for (cell = 0; cell < g->cells; cell++)
+        to[cell] = first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners)]++;
+}
+
+// Fills the rows of cells in order. to: NULL: they stay where they are
+PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh, const paradt_index *to,
+                                         int corners) {
+    enum { AHEAD = 8 };
+    const size_t bytes = PARADT__ROW_BYTES(corners - 1);
+    size_t cell;
+    int j;
+    for (cell = 0; cell < g->cells; cell++) {
+        size_t base = cell * (size_t)corners;
+        paradt_index *row = paradt__row_vertices(g, to ? (size_t)to[cell] : cell, bytes);
+        if (to && cell + 2 * AHEAD < g->cells) {
+            for (j = 0; j < corners; j++) {
+                paradt_index link = mesh->links[base + (size_t)(2 * AHEAD * corners + j)] / corners;
+                PARADT__FETCH(to, link);
+            }
+            PARADT__PREFETCH_TO_WRITE(g->rows + (size_t)to[cell + AHEAD] * bytes);
+        }
+        for (j = 0; j < corners; j++) {
+            paradt_index link = mesh->links[base + (size_t)j], other = link / corners;
+            row[j] = mesh->vertices[base + (size_t)j];
+            if ((size_t)other >= g->cells) row[corners + j] = PARADT__HULL;
+            else row[corners + j] = to ? to[other] * corners + (link - other * corners) : link;
+        }
+    }
+}
+
+// Makes the rows of a triangulation that is as wide as space: sorts points and cells, and marks the points of the hull.
+PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const paradt__mesh *mesh) {
+    const size_t corners = (size_t)mesh->corners;
+    size_t i;
+    paradt_index *to = NULL, *scratch = NULL;
+    paradt_status status = PARADT_OK;
+    if (g->cells >= PARADT__DIAGRAM_FEW) {
+        scratch = (paradt_index *)paradt__alloc_filled(g->memory, g->set.count + 1, sizeof *scratch);
+        to = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *to);
+        status = scratch && to ? paradt__diagram_sort_points(g, scratch) : PARADT_ERROR_MEMORY;
+        for (i = 0; i < mesh->count * corners && !status; i++) {
+            if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
+        }
+        if (!status && corners == 4) paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
+        else if (!status) paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
+    }
+    if (!status && corners == 4) paradt__diagram_fill(g, mesh, to, 4);
+    else if (!status) paradt__diagram_fill(g, mesh, to, 3);
+    for (i = 0; i < g->cells * corners && !status; i++) g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    for (; i < mesh->count * corners && !status; i++) { // ghosts
+        if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED;
+    }
+    paradt__release(g->memory, to);
+    paradt__release(g->memory, scratch);
+    return status;
+}
+
+// Makes the rows, and finds which points are vertices. kind has been cleared.
+static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh *mesh) {
+    enum { LINE = 64 }; // bytes
+    size_t corners = (size_t)mesh->corners, cell, j;
+    g->centred = g->k == g->d && g->d <= 3;
+    g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : corners * sizeof(paradt_index);
+    if (g->cells > (SIZE_MAX / 2 - LINE) / g->row_bytes) return PARADT_ERROR_MEMORY;
+    g->rows_block = (char *)paradt__alloc_filled(g->memory, g->cells * g->row_bytes + LINE, 1);
+    if (!g->rows_block) return PARADT_ERROR_MEMORY;
+    g->rows = g->rows_block + (LINE - (uintptr_t)g->rows_block % LINE) % LINE;
+    if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
+    if (g->centred) return paradt__diagram_rows_centred(g, mesh);
+    for (cell = 0; cell < g->cells; cell++) {
+        paradt_index *row = paradt__row_vertices(g, cell, g->row_bytes);
+        for (j = 0; j < corners; j++) {
+            row[j] = mesh->vertices[cell * corners + j];
+            g->kind[row[j]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
+        }
+    }
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>Voronoi vertices
 //
 // The vertices of the diagram, as far as nothing clips it: one for each cell of the triangulation, the centre of the
@@ -20860,7 +21008,7 @@ PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt_
 // Doors: paradt__centres_make, paradt__centre_of, paradt__same_centre.
 
 PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
-    return g->centres + (size_t)cell * (size_t)(d + 1);
+    return paradt__row_centre(paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(d)), d);
 }
 
 // Computes the centre of a cell from integers. Returns 0 if the cell is flat.
@@ -20943,19 +21091,15 @@ typedef struct paradt__centring {
 } paradt__centring;
 
 PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t task, int d) {
-    enum { AHEAD = 16 };
     const paradt__diagram *g = centring->g;
-    const paradt_index *rows = g->mesh.vertices;
     size_t cell, end = paradt__loader_range(centring->team, g->cells, task, &cell), first = cell;
     int i;
     for (; cell < end; cell++) {
-        const paradt_index *vertices = rows + cell * (size_t)(d + 1);
-        double *centre = g->centres + cell * (size_t)(d + 1);
+        const paradt_index *vertices = paradt__row_vertices(g, cell, PARADT__ROW_BYTES(d));
+        double *centre = paradt__row_centre(vertices, d);
         if (cell % PARADT__DIAGRAM_PACE == 0 &&
             paradt__team_cancels(centring->team, task, (double)(cell - first) / (double)(end - first)))
             return;
-        for (i = 0; i <= d && cell + AHEAD < end; i++)
-            PARADT__FETCH(g->scaled, (size_t)vertices[AHEAD * (d + 1) + i] * g->set.width);
         if (!paradt__centre_compute(g, vertices, centre, d)) {
             centring->status[task] = PARADT_ERROR_INVALID;
             return;
@@ -20976,16 +21120,10 @@ PARADT__HOT void paradt__centres_task(void *context, size_t task) {
 // may have to be clipped.
 static paradt_status paradt__centres_make(paradt__diagram *g, const paradt__team *team) {
     paradt__centring centring;
-    size_t i, task;
+    size_t task;
     centring.g = g;
     centring.team = team;
     memset(centring.status, 0, sizeof centring.status);
-    g->centres = (double *)paradt__alloc(g->memory, g->cells, (size_t)(g->d + 1) * sizeof *g->centres);
-    if (!g->centres) return PARADT_ERROR_MEMORY;
-    if (team->tasks == 1) paradt__make_pages(g->centres, 0, g->cells * (size_t)(g->d + 1) * sizeof *g->centres);
-    for (i = g->cells * (size_t)(g->d + 1); i < g->mesh.count * (size_t)(g->d + 1); i++) { // of ghosts
-        if (g->mesh.vertices[i] != PARADT__INFINITE) g->kind[g->mesh.vertices[i]] |= PARADT__CELL_CLIPPED;
-    }
     paradt__team_run(team, paradt__centres_task, &centring);
     if (paradt__team_cancelled(team)) return PARADT_ERROR_CANCELLED;
     for (task = 0; task < team->tasks; task++) {
@@ -20994,13 +21132,13 @@ static paradt_status paradt__centres_make(paradt__diagram *g, const paradt__team
     return PARADT_OK;
 }
 
-// Have two neighbours the same sphere? link: the facet as the first of them sees it
-PARADT__NOINLINE int paradt__centres_agree(const paradt__diagram *g, paradt__space *space, paradt_index link) {
-    const paradt_index corners = g->d + 1, base = link - link % corners;
+// Have a cell and its neighbour at a place the same sphere?
+PARADT__NOINLINE int paradt__centres_agree(const paradt__diagram *g, paradt__space *space, size_t cell, int place) {
+    const paradt_index corners = g->d + 1, *row = paradt__row_vertices(g, cell, g->row_bytes);
+    paradt_index link = row[corners + place], other = link / corners, i;
     const double *p[PARADT_MAX_DIM + 2];
-    paradt_index i;
-    for (i = 0; i < corners; i++) p[i] = paradt__record(&g->set, g->mesh.vertices[base + i]);
-    p[corners] = paradt__record(&g->set, g->mesh.vertices[g->mesh.links[link]]);
+    for (i = 0; i < corners; i++) p[i] = paradt__record(&g->set, row[i]);
+    p[corners] = paradt__record(&g->set, paradt__row_vertices(g, (size_t)other, g->row_bytes)[link % corners]);
     return !paradt__insphere(space, p);
 }
 
@@ -21137,21 +21275,22 @@ typedef struct paradt__ring {
 PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *done, size_t begin, size_t end,
                                      paradt_index cell, int edge, const double *normal, paradt__ring *ring,
                                      int moments) {
-    const paradt_index *vertices = g->mesh.vertices, *links = g->mesh.links;
     const unsigned char *places = paradt__ring_edges[edge];
-    const double *first = g->centres + (size_t)cell * 4, *last = first, *next;
-    paradt_index at = cell, kept = vertices[4 * cell + places[3]], handle;
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
+    const double *first = paradt__row_centre(row, 3), *last = first, *next;
+    paradt_index at = cell, kept = row[places[3]], handle;
     int cross = places[2], j;
     double a[3] = {0}, b[3], area[3] = {0}, moment[3] = {0}, along = 0, size = 0, error = first[3];
     int corners = 0, changes = 0;
     do {
-        handle = links[4 * at + cross];
+        handle = row[4 + cross];
         at = handle >> 2;
-        cross = paradt__given_place(vertices + 4 * at, kept, 4);
-        kept = vertices[handle];
+        row = paradt__row_vertices(g, (size_t)at, PARADT__ROW_BYTES(3));
+        cross = paradt__given_place(row, kept, 4);
+        kept = row[handle & 3];
         if (at < cell) return 0;
         if ((size_t)at < end) done[at] |= paradt__ring_marks[cross & 3][handle & 3];
-        next = g->centres + (size_t)at * 4;
+        next = paradt__row_centre(row, 3);
         changes += paradt__centres_differ(last, next, 3);
         corners++;
         b[0] = next[0] - first[0], b[1] = next[1] - first[1], b[2] = next[2] - first[2];
@@ -21184,19 +21323,20 @@ PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *do
 
 // How many different vertices has the polygon around an edge? Up to three are counted.
 PARADT__NOINLINE int paradt__ring_changes(const paradt__diagram *g, paradt__space *space, paradt_index cell, int edge) {
-    const paradt_index *vertices = g->mesh.vertices, *links = g->mesh.links;
     const unsigned char *places = paradt__ring_edges[edge];
-    paradt_index at = cell, kept = vertices[4 * cell + places[3]], handle;
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3)), *last;
+    paradt_index at = cell, kept = row[places[3]], handle;
     int cross = places[2], changes = 0;
     do {
-        paradt_index link = 4 * at + cross;
-        handle = links[link];
-        if (paradt__centres_differ(g->centres + (size_t)at * 4, g->centres + (size_t)(handle >> 2) * 4, 3) ||
-            !paradt__centres_agree(g, space, link))
+        handle = row[4 + cross];
+        last = row;
+        row = paradt__row_vertices(g, (size_t)(handle >> 2), PARADT__ROW_BYTES(3));
+        if (paradt__centres_differ(paradt__row_centre(last, 3), paradt__row_centre(row, 3), 3) ||
+            !paradt__centres_agree(g, space, (size_t)at, cross))
             changes++;
         at = handle >> 2;
-        cross = paradt__given_place(vertices + 4 * at, kept, 4);
-        kept = vertices[handle];
+        cross = paradt__given_place(row, kept, 4);
+        kept = row[handle & 3];
     } while (at != cell && changes < 3);
     return changes;
 }
@@ -21266,10 +21406,10 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
                                                    paradt__face_list *list, paradt__space *space, size_t begin,
                                                    size_t end, paradt_index cell, int edge, int moments) {
     const paradt__diagram *g = facing->g;
-    const paradt_index *vertices = g->mesh.vertices + 4 * cell;
+    const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
     paradt_index p = vertices[paradt__ring_edges[edge][0]], q = vertices[paradt__ring_edges[edge][1]];
     const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
-    const double *first = g->centres + (size_t)cell * 4;
+    const double *first = paradt__row_centre(vertices, 3);
     double normal[3], where[3] = {0}, measure, step, error;
     paradt__ring ring;
     int j, turns;
@@ -21297,39 +21437,32 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
     return PARADT_OK;
 }
 
-// Fetches what rings around edges of cells that come soon lead to: the neighbours of a cell, and some of theirs.
+// Fetches the rows of the neighbours of a cell, and of theirs for a cell whose neighbours have been fetched.
 PARADT__INLINE void paradt__ring_fetch(const paradt__diagram *g, size_t cell, size_t sooner) {
-    const paradt_index *links = g->mesh.links;
+    const size_t bytes = PARADT__ROW_BYTES(3);
+    const paradt_index *row;
     int i, j;
     if (cell >= g->cells) return;
+    row = paradt__row_vertices(g, cell, bytes) + 4;
+    for (i = 0; i < 4; i++) PARADT__FETCH(g->rows, (size_t)(row[i] < 0 ? 0 : row[i] >> 2) * bytes);
+    row = paradt__row_vertices(g, sooner, bytes) + 4;
     for (i = 0; i < 4; i++) {
-        paradt_index link = links[4 * cell + (size_t)i];
-        PARADT__FETCH(g->mesh.vertices, link);
-        PARADT__FETCH(links, link);
-        PARADT__FETCH(g->centres, link & ~(paradt_index)3);
-    }
-    for (i = 0; i < 4; i++) {
-        paradt_index next = links[4 * sooner + (size_t)i] & ~(paradt_index)3;
-        for (j = 0; j < 4; j++) {
-            paradt_index link = links[next + j];
-            PARADT__FETCH(g->mesh.vertices, link);
-            PARADT__FETCH(links, link);
-            PARADT__FETCH(g->centres, link & ~(paradt_index)3);
-        }
+        const paradt_index *next = paradt__row_vertices(g, (size_t)(row[i] < 0 ? 0 : row[i] >> 2), bytes) + 4;
+        for (j = 0; j < 4; j++) PARADT__FETCH(g->rows, (size_t)(next[j] < 0 ? 0 : next[j] >> 2) * bytes);
     }
 }
 
 PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, paradt__tally *tally,
                                                     paradt__face_list *list, size_t task, size_t begin, size_t end,
                                                     int moments) {
-    enum { ROWS_AHEAD = 16, NEXT_AHEAD = 8 };
+    enum { ROWS_AHEAD = 24, NEXT_AHEAD = 12 };
     const paradt__diagram *g = facing->g;
     size_t cell;
     int edge;
     for (cell = begin; cell < end; cell++) {
-        const paradt_index *vertices = g->mesh.vertices + 4 * cell;
-        paradt__ring_fetch(g, cell + ROWS_AHEAD, cell + NEXT_AHEAD);
+        const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
         unsigned inner = 0, todo = 63u & ~(unsigned)facing->done[cell];
+        paradt__ring_fetch(g, cell + ROWS_AHEAD, cell + NEXT_AHEAD);
         if (cell % PARADT__DIAGRAM_PACE == 0 &&
             paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
             return PARADT_ERROR_CANCELLED;
@@ -21357,8 +21490,8 @@ PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, para
     size_t cell;
     int i, j;
     for (cell = begin; cell < end; cell++) {
-        const paradt_index *vertices = g->mesh.vertices + 3 * cell;
-        const double *first = g->centres + 3 * cell;
+        const paradt_index *vertices = paradt__row_vertices(g, cell, PARADT__ROW_BYTES(2));
+        const double *first = paradt__row_centre(vertices, 2);
         if (cell % PARADT__DIAGRAM_PACE == 0 &&
             paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
             return PARADT_ERROR_CANCELLED;
@@ -21367,13 +21500,14 @@ PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, para
             if (status) return status;
         }
         for (i = 0; i < 3; i++) {
-            paradt_index p = vertices[(i + 1) % 3], q = vertices[(i + 2) % 3], link = (paradt_index)(3 * cell) + i;
-            size_t other = (size_t)g->mesh.links[link] / 3;
+            paradt_index p = vertices[(i + 1) % 3], q = vertices[(i + 2) % 3], link = vertices[3 + i];
+            size_t other = (size_t)link / 3;
             const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
-            const double *second = g->centres + 3 * other;
+            const double *second;
             double normal[2], along[2], where[2], measure, size, error;
-            if (other < cell || g->kind[p] & g->kind[q] & PARADT__CELL_CLIPPED) continue;
-            if (!paradt__centres_differ(first, second, 2) && paradt__centres_agree(g, &facing->space[task], link))
+            if (link < 0 || other < cell || g->kind[p] & g->kind[q] & PARADT__CELL_CLIPPED) continue;
+            second = paradt__centre_of(g, (paradt_index)other, 2);
+            if (!paradt__centres_differ(first, second, 2) && paradt__centres_agree(g, &facing->space[task], cell, i))
                 continue;
             for (j = 0; j < 2; j++) {
                 normal[j] = to[j] - from[j];
@@ -21462,8 +21596,7 @@ static paradt_status paradt__faces_end(paradt__facing *facing, paradt__tally *to
 
 // The number of edges of a triangulation of a ball, by Euler's formula; only a guess where something is wrong with it
 static size_t paradt__edges_expected(const paradt__diagram *g) {
-    size_t hull = g->mesh.count - g->cells;
-    return g->d == 2 ? g->set.count + g->cells : g->set.count + g->cells + hull / 2;
+    return g->set.count + g->cells + g->hull / 2;
 }
 
 // Measures all faces of which one of the cells is not clipped.
@@ -22615,7 +22748,7 @@ static paradt_status paradt__clip_cell(paradt__clipper *clipper) {
     for (wall = 2 * (size_t)g->d; wall < g->wall_count && !status; wall++)
         status = paradt__convex_clip_by_wall(c, wall);
     for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && !status && !c->empty; i++) {
-        const paradt_index *row = g->mesh.vertices + (size_t)clipping->around[i] * corners;
+        const paradt_index *row = paradt__row_vertices(g, (size_t)clipping->around[i], g->row_bytes);
         for (j = 0; j < corners && !status; j++) {
             if (row[j] == p || clipper->stamp[row[j]] == mark) continue;
             clipper->stamp[row[j]] = mark;
@@ -22630,7 +22763,7 @@ static int paradt__clip_is_centre(paradt__convex *c, size_t vertex, paradt_index
     const paradt__diagram *g = c->g;
     const double *y = paradt__convex_place(c, vertex), *centre = paradt__centre_of(g, cell, g->d);
     const double *base = paradt__diagram_point(g, c->p);
-    const paradt_index *row = g->mesh.vertices + (size_t)cell * (size_t)(g->d + 1);
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
     const paradt__halfspace *h[PARADT_MAX_DIM + 1];
     paradt__halfspace plane;
     int i, j;
@@ -22662,7 +22795,7 @@ static paradt_status paradt__clip_name(paradt__clipper *clipper, size_t vertex, 
     size_t i;
     *name = -1;
     if (c->far[vertex]) return PARADT_OK;
-    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && g->centres; i++) {
+    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && g->centred; i++) {
         if (!paradt__clip_is_centre(c, vertex, clipping->around[i])) continue;
         *name = clipping->around[i];
         return c->exact.status;
@@ -22844,9 +22977,9 @@ PARADT__HOT void paradt__clip_task(void *context, size_t task) {
 }
 
 // Lists the points whose cells are clipped, or have no certain measure, and the cells of the triangulation around each.
-static paradt_status paradt__clip_collect(paradt__clipping *clipping, const unsigned char *again) {
+PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const unsigned char *again) {
     const paradt__diagram *g = clipping->g;
-    size_t n = g->set.count, i, at, corners = (size_t)g->k + 1;
+    size_t n = g->set.count, i, j, at, corners = (size_t)g->k + 1;
     paradt_index *slot;
     for (i = 0; i < n; i++) clipping->point_count += again[i] != 0;
     if (!clipping->point_count) return PARADT_OK;
@@ -22862,14 +22995,20 @@ static paradt_status paradt__clip_collect(paradt__clipping *clipping, const unsi
         slot[i] = again[i] ? (paradt_index)at : -1;
         if (again[i]) clipping->points[at++] = (paradt_index)i;
     }
-    for (i = 0; i < g->cells * corners; i++)
-        if (slot[g->mesh.vertices[i]] >= 0) clipping->first[slot[g->mesh.vertices[i]] + 1]++;
+    for (i = 0; i < g->cells; i++) {
+        const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
+        for (j = 0; j < corners; j++)
+            if (slot[row[j]] >= 0) clipping->first[slot[row[j]] + 1]++;
+    }
     for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
     clipping->around = (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1,
                                                      sizeof *clipping->around);
-    for (i = 0; i < g->cells * corners && clipping->around; i++) {
-        paradt_index of = slot[g->mesh.vertices[i]];
-        if (of >= 0) clipping->around[clipping->first[of]++] = (paradt_index)(i / corners);
+    for (i = 0; i < g->cells && clipping->around; i++) {
+        const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
+        for (j = 0; j < corners; j++) {
+            paradt_index of = slot[row[j]];
+            if (of >= 0) clipping->around[clipping->first[of]++] = (paradt_index)i;
+        }
     }
     for (i = clipping->point_count; i > 0; i--) clipping->first[i] = clipping->first[i - 1];
     clipping->first[0] = 0;
@@ -22985,6 +23124,7 @@ typedef struct paradt__voronoi_work {
     paradt__diagram g;
     double *scaled;      // of the diagram, where it has its own
     paradt__tally tally; // of the cells
+    unsigned char *unbounded; // [points] is the cell?
     paradt__face_list list;
     paradt__corner_list corners; // of faces that are clipped
     uint32_t reported[4];
@@ -22996,6 +23136,11 @@ static paradt__team paradt__voronoi_team(paradt__voronoi_work *work, int step) {
     static const double shares[] = {0.2, 0.4, 0.3, 0.1};
     return paradt__team_of(&work->options, work->tasks,
                            paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
+}
+
+// The caller's index of a position
+PARADT__INLINE size_t paradt__voronoi_index(const paradt__diagram *g, size_t position) {
+    return g->set.origin ? (size_t)g->set.origin[position] : position;
 }
 
 // --- arguments
@@ -23119,8 +23264,9 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
 static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
                                           const paradt_points *points, size_t *bad) {
     paradt__diagram *g = &work->g;
+    paradt__mesh mesh;
     paradt_status status = PARADT_OK;
-    size_t i;
+    memset(&mesh, 0, sizeof mesh);
     g->d = points->dim;
     g->k = t->cell_count ? t->dim : -1;
     g->weighted = points->weights != NULL;
@@ -23128,18 +23274,20 @@ static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const para
     g->meter = &work->meter;
     if (g->k >= 1) {
         int facets = (work->options.flags & PARADT_FACETS) != 0;
-        status = paradt__given_mesh(&g->mesh, t, facets, &work->memory, &work->meter);
+        status = paradt__given_mesh(&mesh, t, facets, &work->memory, &work->meter);
+        g->cells = t->cell_count;
+        g->hull = mesh.count - g->cells;
     }
-    g->cells = g->k >= 1 ? t->cell_count : 0;
     if (!status) status = paradt__given_set(&g->set, t, points, &work->memory, &work->meter, bad);
-    if (status) return status;
     g->kind = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
-    if (!g->kind) return PARADT_ERROR_MEMORY;
-    memset(g->kind, 0, points->count);
-    for (i = 0; i < t->cell_count * (size_t)(t->dim + 1); i++) {
-        if (t->dim < 1 && (t->cells[i] < 0 || (size_t)t->cells[i] >= points->count)) return PARADT_ERROR_INVALID;
-        g->kind[t->cells[i]] = PARADT__CELL_THERE;
-    }
+    if (!status && !g->kind) status = PARADT_ERROR_MEMORY;
+    if (!status) memset(g->kind, 0, points->count);
+    if (!status && g->k >= 1) status = paradt__diagram_rows(g, &mesh);
+    paradt__mesh_free(&mesh, &work->memory);
+    if (status || g->k != 0) return status;
+    // a triangulation of one vertex, which has no mesh
+    if (t->cells[0] < 0 || (size_t)t->cells[0] >= points->count) return PARADT_ERROR_INVALID;
+    g->kind[t->cells[0]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
     return PARADT_OK;
 }
 
@@ -23170,7 +23318,7 @@ static double paradt__voronoi_unscale(const paradt__diagram *g, double value, in
 }
 
 // Hands over what was summed up for the cells.
-static paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_voronoi *out) {
     const paradt__diagram *g = &work->g;
     size_t i, n = g->set.count;
     int d = g->d, j;
@@ -23182,29 +23330,33 @@ static paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_vo
     if (work->wants & PARADT_VORONOI_CENTROIDS)
         out->centroids = (double *)paradt__voronoi_array(work, n * (size_t)d, sizeof *out->centroids, &status);
     if (status) return status;
+    for (i = 0; i < n; i++) out->unbounded[paradt__voronoi_index(g, i)] = work->unbounded[i];
     for (i = 0; i < n && work->tally.sums; i++) {
         const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
-        int infinite = out->unbounded[i];
+        size_t to = paradt__voronoi_index(g, i);
+        int infinite = work->unbounded[i];
         double volume = infinite ? HUGE_VAL : sums[0], error = infinite ? 0 : sums[1];
         if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
+        if (!infinite && !(volume + error < HUGE_VAL)) // beyond all doubles: the largest one, and no bound
+            volume = paradt__from_bits(UINT64_C(0x7fefffffffffffff)), error = HUGE_VAL;
         double scaled = volume;
         if (out->volumes) {
             if (!infinite && volume > 0) volume = paradt__voronoi_unscale(g, volume, d, &error);
-            out->volumes[i] = volume;
-            out->volume_errors[i] = error;
-            out->volume += volume;
+            out->volumes[to] = volume;
+            out->volume_errors[to] = error;
         }
         for (j = 0; j < d && out->centroids; j++) {
             double x = paradt__diagram_point(g, (paradt_index)i)[j] + sums[2 + j] / scaled;
             x = paradt__voronoi_unscaled(g, x, 1);
-            out->centroids[i * (size_t)d + (size_t)g->set.axes[j]] = infinite || !(scaled > 0) ? NAN : x;
+            out->centroids[to * (size_t)d + (size_t)g->set.axes[j]] = infinite || !(scaled > 0) ? NAN : x;
         }
     }
+    for (i = 0; i < n && out->volumes; i++) out->volume += out->volumes[i];
     return PARADT_OK;
 }
 
 // For each cell its faces, in the order of their numbers
-static paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, paradt_voronoi *out) {
     size_t i, n = work->g.set.count, side;
     paradt_status status = PARADT_OK;
     out->first_face = (size_t *)paradt__voronoi_array(work, n + 1, sizeof *out->first_face, &status);
@@ -23227,7 +23379,7 @@ static paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, parad
 }
 
 // Hands over the faces.
-static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_voronoi *out) {
     paradt__face_list *list = &work->list;
     const paradt__diagram *g = &work->g;
     size_t i, d = (size_t)g->d, j;
@@ -23238,6 +23390,8 @@ static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_vo
     out->normals = list->normals;
     list->sides = NULL;
     list->areas = list->centroids = list->normals = NULL;
+    for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
+        if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
     if (out->areas && (g->shift || g->k < g->d)) {
         for (i = 0; i < out->face_count; i++) {
             double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
@@ -23254,7 +23408,7 @@ static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_vo
 }
 
 // Clips what has to be clipped, or was measured with an error as large as what was measured.
-static paradt_status paradt__voronoi_clip(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_clip(paradt__voronoi_work *work) {
     paradt__diagram *g = &work->g;
     paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CLIPS);
     const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
@@ -23269,7 +23423,7 @@ static paradt_status paradt__voronoi_clip(paradt__voronoi_work *work, paradt_vor
             again[i] = !(sums[0] > sums[1]);
         }
     }
-    status = paradt__clip_all(g, &team, work->wants, again, &work->tally, out->unbounded,
+    status = paradt__clip_all(g, &team, work->wants, again, &work->tally, work->unbounded,
                               work->wants & faces ? &work->list : NULL, &work->corners);
     paradt__release(&work->memory, again);
     return status;
@@ -23297,20 +23451,22 @@ static void paradt__numbering_free(paradt__numbering *n, paradt__memory *memory)
 }
 
 // Finds which cells have one sphere.
-static paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__voronoi_work *work) {
+PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__voronoi_work *work) {
     paradt__diagram *g = &work->g;
     size_t i, corners = (size_t)g->d + 1;
-    if (!g->centres) return PARADT_OK;
+    if (!g->centred) return PARADT_OK;
     n->same = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->same);
     n->number = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->number);
     if (!n->same || !n->number) return PARADT_ERROR_MEMORY;
     for (i = 0; i < g->cells; i++) n->same[i] = (paradt_index)i, n->number[i] = -1;
     for (i = 0; i < g->cells * corners; i++) {
-        paradt_index cell = (paradt_index)(i / corners), other = g->mesh.links[i] / (paradt_index)corners, a, b;
+        paradt_index cell = (paradt_index)(i / corners), a, b;
+        paradt_index link = paradt__row_vertices(g, i / corners, g->row_bytes)[corners + i % corners];
+        paradt_index other = link / (paradt_index)corners;
         if (i % ((size_t)1 << 14) == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
-        if (other < cell || (size_t)other >= g->cells ||
+        if (link < 0 || other < cell ||
             paradt__centres_differ(paradt__centre_of(g, cell, g->d), paradt__centre_of(g, other, g->d), g->d) ||
-            !paradt__centres_agree(g, &g->set.space, (paradt_index)i))
+            !paradt__centres_agree(g, &g->set.space, i / corners, (int)(i % corners)))
             continue;
         a = paradt__convex_root(n->same, cell);
         b = paradt__convex_root(n->same, other);
@@ -23392,19 +23548,20 @@ static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__vorono
         for (i = 0; i < count && !status; i++)
             status = paradt__numbering_add(n, work, begin, corners[g->odd && g->d <= 3 ? count - i : i + 1]);
     } else if (g->d == 2) {
-        status = paradt__numbering_add(n, work, begin, g->mesh.links[3 * cell + edge] / 3);
+        status = paradt__numbering_add(n, work, begin, paradt__row_vertices(g, (size_t)cell, g->row_bytes)[3 + edge] / 3);
         if (!status) status = paradt__numbering_add(n, work, begin, cell);
     } else {
-        const paradt_index *vertices = g->mesh.vertices, *links = g->mesh.links;
         const unsigned char *places = paradt__ring_edges[edge];
-        paradt_index at = cell, kept = vertices[4 * cell + places[3]], handle;
+        const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
+        paradt_index at = cell, kept = row[places[3]], handle;
         int cross = places[2];
         do {
             status = paradt__numbering_add(n, work, begin, at);
-            handle = links[4 * at + cross];
+            handle = row[4 + cross];
             at = handle >> 2;
-            cross = paradt__given_place(vertices + 4 * at, kept, 4);
-            kept = vertices[handle];
+            row = paradt__row_vertices(g, (size_t)at, g->row_bytes);
+            cross = paradt__given_place(row, kept, 4);
+            kept = row[handle & 3];
         } while (at != cell && !status);
     }
     if (!status && g->d <= 3 && n->corners.count > begin + 1 &&
@@ -23435,7 +23592,7 @@ static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__vo
 }
 
 // Numbers the vertices, and makes the polygons of all faces.
-static paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, paradt_voronoi *out) {
     paradt__numbering n;
     size_t i;
     paradt_status status;
@@ -23467,13 +23624,13 @@ static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const parad
     const unsigned measures = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS;
     const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
     paradt_status status = paradt__voronoi_read(work, t, points, &out->error_point);
-    size_t i;
     if (!status) status = paradt__voronoi_walls(work, request);
     if (!status) status = paradt__voronoi_scale(work);
     if (status) return status;
     out->unbounded = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
-    if (!out->unbounded) return PARADT_ERROR_MEMORY;
-    memset(out->unbounded, 0, points->count);
+    work->unbounded = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    if (!out->unbounded || !work->unbounded) return PARADT_ERROR_MEMORY;
+    memset(work->unbounded, 0, points->count);
     work->tally.width = work->wants & PARADT_VORONOI_CENTROIDS ? 2 + g->d : 2;
     if (work->wants & measures) {
         size_t bytes = points->count * (size_t)work->tally.width * sizeof(double);
@@ -23482,16 +23639,13 @@ static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const parad
         memset(work->tally.sums, 0, bytes);
     }
     paradt__face_list_begin(&work->list, g->d, work->wants, &work->memory);
-    if (g->k == g->d && g->d <= 3) {
+    if (g->centred) {
         status = paradt__centres_make(g, &team);
         team = paradt__voronoi_team(work, PARADT__VORONOI_FACES);
         if (!status)
             status = paradt__faces_make(g, &team, work->wants, &work->tally, work->wants & faces ? &work->list : NULL);
-    } else {
-        for (i = 0; i < points->count; i++)
-            if (g->kind[i]) g->kind[i] |= PARADT__CELL_CLIPPED;
     }
-    if (!status) status = paradt__voronoi_clip(work, out);
+    if (!status) status = paradt__voronoi_clip(work);
     if (!status) status = paradt__voronoi_cells(work, out);
     if (!status && work->wants & faces) {
         if (work->wants & PARADT_VORONOI_POLYGONS) status = paradt__voronoi_polygons(work, out);
@@ -23533,10 +23687,10 @@ static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voro
     paradt__corner_list_free(&work->corners, &work->memory);
     paradt__release(&work->memory, work->tally.sums);
     paradt__release(&work->memory, work->scaled);
+    paradt__release(&work->memory, work->unbounded);
     paradt__release(&work->memory, work->g.walls);
-    paradt__release(&work->memory, work->g.centres);
+    paradt__release(&work->memory, work->g.rows_block);
     paradt__release(&work->memory, work->g.kind);
-    paradt__mesh_free(&work->g.mesh, &work->memory);
     paradt__set_free(&work->g.set, &work->memory);
     if (status) {
         size_t bad = out->error_point;

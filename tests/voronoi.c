@@ -372,7 +372,7 @@ static const char *check_cell_measures(const paradt_voronoi *v, const true_cell 
             wrong = "a volume's error is larger than it says";
         }
         mpq_clear(error);
-        if (ordinary && !strncmp(watched->name, "uniform", 7) && v->volume_errors[p] > 1e-9 * true_volume) {
+        if (ordinary && !strncmp(watched->name, "uniform", 7) && v->volume_errors[p] > 1e-9 * true_volume + 1e-14) {
             print_message("# volume %g, error %g\n", v->volumes[p], v->volume_errors[p]);
             wrong = "a volume's error is large";
         }
