@@ -20634,8 +20634,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
 
 // What is known of a point, bits
 enum {
-    PARADT__CELL_THERE = 1,  // it is a vertex of the triangulation
-    PARADT__CELL_CLIPPED = 2 // its cell may be unbounded or leave the walls
+    PARADT__CELL_THERE = 1,   // it is a vertex of the triangulation
+    PARADT__CELL_CLIPPED = 2, // its cell may be unbounded or leave the walls
+    PARADT__CELL_HULL = 4     // it is on the hull
 };
 
 enum { PARADT__DIAGRAM_PACE = 1 << 12 }; // cells between two looks at whether the call is cancelled
@@ -20968,7 +20969,7 @@ PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const
     else if (!status) paradt__diagram_fill(g, mesh, to, 3);
     for (i = 0; i < g->cells * corners && !status; i++) g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
     for (; i < mesh->count * corners && !status; i++) { // ghosts
-        if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED;
+        if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
     }
     paradt__release(g->memory, to);
     paradt__release(g->memory, scratch);
@@ -21105,8 +21106,10 @@ PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t t
             return;
         }
         if (paradt__centre_is_inside(g, centre, d)) continue;
-        for (i = 0; i <= d; i++)
-            PARADT__ATOMIC_SET(&g->kind[vertices[i]], PARADT__CELL_THERE | PARADT__CELL_CLIPPED);
+        for (i = 0; i <= d; i++) {
+            unsigned char *kind = &g->kind[vertices[i]], known = PARADT__ATOMIC_LOAD(kind);
+            if (!(known & PARADT__CELL_CLIPPED)) PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
+        }
     }
 }
 
@@ -22000,12 +22003,15 @@ typedef struct paradt__convex {
     size_t place_capacity;
     paradt__exact_work exact;
     int empty;                  // nothing is left
+    int tied;                   // a vertex has been on a plane that clipped, or did not
     // made by paradt__convex_settle
     int merged, unbounded, flat; // some vertices coincide; some are far; the cell has no measure
     paradt_index *same;         // [place_capacity] of vertices that coincide: one of them
     paradt_index *entry;        // [plane_capacity] the handle of a plane at a vertex; -1: it is at none
     unsigned char *real;        // [plane_capacity] the face on the plane has a measure
     size_t same_capacity, entry_capacity;
+    paradt_index *local; // [local_capacity] a table: cells of the triangulation, 4 times the vertex, and the place of p
+    size_t local_capacity;
     paradt__memory *memory;
 } paradt__convex;
 
@@ -22028,6 +22034,7 @@ static void paradt__convex_free(paradt__convex *c) {
     paradt__release(c->memory, c->same);
     paradt__release(c->memory, c->entry);
     paradt__release(c->memory, c->real);
+    paradt__release(c->memory, c->local);
     paradt__exact_free(&c->exact);
 }
 
@@ -22104,7 +22111,7 @@ static paradt_status paradt__convex_reset(paradt__convex *c, paradt_index p) {
     mesh->count = mesh->spare_count = 0;
     c->p = p;
     c->plane_count = 0;
-    c->empty = 0;
+    c->empty = c->tied = 0;
     for (i = 0; i < 2 * d && !status; i++) {
         status = paradt__convex_plane_room(c);
         if (!status) paradt__diagram_wall(c->g, p, (size_t)i, &c->planes[c->plane_count++]);
@@ -22135,6 +22142,83 @@ static paradt_status paradt__convex_reset(paradt__convex *c, paradt_index p) {
     return c->exact.status;
 }
 
+// Begins the cell of p, which is bounded, as nothing clips it: from the cells of the triangulation around p, in space
+// or in the plane. number: [points] scratch; at those that stamp[point] == mark has found, the numbers of their planes
+PARADT__INLINE paradt_status paradt__convex_star(paradt__convex *c, paradt_index p, const paradt_index *around,
+                                                 size_t count, paradt_index *stamp, paradt_index *number,
+                                                 paradt_index mark, int d) {
+    // the places of a cell's other vertices, so that with p before them the order is even
+    static const unsigned char order[2][4][3] = {{{1, 2, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 0}},
+                                                 {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    const paradt__diagram *g = c->g;
+    const double *base = paradt__diagram_point(g, p);
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t i, mask = 63;
+    int j;
+    paradt_status status = paradt__convex_room(c, count);
+    c->p = p;
+    c->plane_count = 0;
+    c->empty = c->tied = 0;
+    while (mask < 2 * count) mask = 2 * mask + 1;
+    if (!status && c->local_capacity < 2 * (mask + 1)) {
+        paradt__release(c->memory, c->local);
+        c->local_capacity = 0;
+        c->local = (paradt_index *)paradt__alloc(c->memory, 2 * (mask + 1), sizeof *c->local);
+        if (c->local) c->local_capacity = 2 * (mask + 1);
+        else status = PARADT_ERROR_MEMORY;
+    }
+    if (status) return status;
+    mesh->spare_count = 0;
+    mesh->count = count;
+    memset(mesh->marks, 0, count);
+    memset(c->far, 0, count);
+    memset(c->local, -1, 2 * (mask + 1) * sizeof *c->local);
+    for (i = 0; i < count; i++) { // numbers, planes, places
+        const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
+        const double *centre = paradt__row_centre(row, d);
+        const unsigned char *places;
+        double *y = paradt__convex_place(c, i), largest = 0;
+        size_t slot = (size_t)around[i] * 0x9E3779B1u & mask;
+        for (j = 0; row[j] != p; j++) {
+        }
+        places = order[d - 2][j];
+        while (c->local[2 * slot] >= 0) slot = (slot + 1) & mask;
+        c->local[2 * slot] = around[i];
+        c->local[2 * slot + 1] = (paradt_index)i * 4 + j;
+        for (j = 0; j < d; j++) {
+            paradt_index q = row[places[j]];
+            if (stamp[q] != mark) {
+                status = paradt__convex_plane_room(c);
+                if (status) return status;
+                stamp[q] = mark;
+                number[q] = (paradt_index)c->plane_count;
+                paradt__diagram_bisector(g, p, q, &c->planes[c->plane_count++], d);
+            }
+            mesh->vertices[i * (size_t)d + (size_t)j] = number[q];
+            y[j] = centre[j] - base[j];
+            largest = paradt__larger(largest, paradt__abs(y[j]));
+        }
+        y[d] = (centre[d] + PARADT__ROUNDOFF * largest) * (1 + 4 * PARADT__ROUNDOFF);
+    }
+    for (i = 0; i < count; i++) { // links
+        const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
+        const unsigned char *places;
+        for (j = 0; row[j] != p; j++) {
+        }
+        places = order[d - 2][j];
+        for (j = 0; j < d; j++) {
+            paradt_index link = row[d + 1 + places[j]], other = link / (d + 1), found;
+            int apex = (int)(link - other * (d + 1)), to = 0;
+            size_t slot = (size_t)other * 0x9E3779B1u & mask;
+            while (c->local[2 * slot] != other) slot = (slot + 1) & mask;
+            found = c->local[2 * slot + 1];
+            while (order[d - 2][found & 3][to] != apex) to++;
+            mesh->links[i * (size_t)d + (size_t)j] = (found >> 2) * d + to;
+        }
+    }
+    return PARADT_OK;
+}
+
 // Digs the cavity: lists the vertices outside of the plane, and the rim. Returns how many are inside.
 PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt__halfspace *plane, size_t *inside,
                                                 int d) {
@@ -22142,7 +22226,7 @@ PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt_
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
     size_t vertex, i;
-    int j;
+    int j, above;
     paradt_status status =
         paradt__list_room(&update->killed, 0, &update->killed_capacity, mesh->count, c->memory);
     if (!status)
@@ -22152,7 +22236,9 @@ PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt_
     *inside = 0;
     for (vertex = 0; vertex < mesh->count; vertex++) {
         if (mesh->vertices[vertex * (size_t)d] == PARADT__DEAD) continue;
-        if (paradt__convex_above(c, vertex, plane, d) > 0) {
+        above = paradt__convex_above(c, vertex, plane, d);
+        c->tied |= !above;
+        if (above > 0) {
             mesh->marks[vertex] |= PARADT__CONFLICT;
             update->killed[update->killed_count++] = (paradt_index)vertex * d;
         } else {
@@ -22299,8 +22385,32 @@ static int paradt__convex_few_real(const paradt__convex *c, paradt_index entry, 
     return changes > (size_t)(c->d > 2 ? 2 : 0);
 }
 
-// The same in higher dimensions, for all faces. Where the different vertices of a face have a second plane in common
-// it is less than a face.
+// Do two planes of a cell that have a place in common coincide? That is, are the points that they separate p from in a
+// line with it?
+static int paradt__convex_planes_coincide(const paradt__convex *c, const paradt__halfspace *a,
+                                          const paradt__halfspace *b) {
+    const double *p[3];
+    int i, j, k;
+    if (a->side < 0 || b->side < 0) return 0; // of these the later one would not be there
+    p[0] = paradt__record(&c->g->set, c->p);
+    p[1] = paradt__record(&c->g->set, a->side);
+    p[2] = paradt__record(&c->g->set, b->side);
+    for (i = 1; i < c->d; i++) {
+        for (j = 0; j < i; j++) {
+            double x[3][2];
+            const double *q[3];
+            for (k = 0; k < 3; k++) {
+                x[k][0] = p[k][j], x[k][1] = p[k][i];
+                q[k] = x[k];
+            }
+            if (paradt_orient(2, q)) return 0;
+        }
+    }
+    return 1;
+}
+
+// The same in higher dimensions, for all faces. Where the different vertices of a face have a second plane in common,
+// which is not the same, it is less than a face.
 static paradt_status paradt__convex_many_real(paradt__convex *c) {
     const paradt__mesh *mesh = &c->build.scene.mesh;
     size_t d = (size_t)c->d, rows = mesh->count * d, i, j, plane, count;
@@ -22340,8 +22450,12 @@ static paradt_status paradt__convex_many_real(paradt__convex *c) {
             vertices++;
             for (j = first[i]; j < first[i + 1]; j++) seen[tight[j].item]++;
         }
-        for (i = 0; i < c->plane_count; i++) shared += seen[i] == vertices;
-        c->real[plane] = shared == 1;
+        for (i = 0; i < c->plane_count; i++) {
+            if (i == plane || seen[i] != vertices) continue;
+            if (paradt__convex_planes_coincide(c, c->planes + i, c->planes + plane)) c->flat = 1;
+            else shared++;
+        }
+        c->real[plane] = !shared;
     }
     paradt__release(c->memory, tight);
     paradt__release(c->memory, first);
@@ -22729,21 +22843,44 @@ typedef struct paradt__clipping {
 typedef struct paradt__clipper {
     paradt__clipping *clipping;
     paradt__convex cell;
-    paradt_index *stamp;       // [points] the last of the task's points whose neighbour it was found to be, plus 1
+    paradt_index *stamp;       // [points] of the last of the task's points whose neighbour it was found to be: a mark
+    paradt_index *number;      // [points] scratch of paradt__convex_star
     paradt_index *names;       // [names_capacity] of the cell's vertices, by the one that those that coincide have
     size_t names_capacity;
     size_t task, at;           // at: of the points
     paradt__memory *memory;
 } paradt__clipper;
 
+// Clips a bounded cell by the walls. Returns in *done whether that was all: where a vertex is on a wall, walls have to
+// come first, so that of planes that coincide the wall counts.
+static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    size_t first = clipping->first[clipper->at], count = clipping->first[clipper->at + 1] - first, wall;
+    paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 1;
+    const paradt_index *around = clipping->around + first;
+    paradt_status status =
+        g->d == 2 ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
+                  : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
+    for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++)
+        if (!g->walls[wall].far) status = paradt__convex_clip_by_wall(c, wall);
+    *done = !c->tied;
+    return !status && *done ? paradt__convex_settle(c) : status;
+}
+
 // Clips the cell of a point by all that may clip it.
 static paradt_status paradt__clip_cell(paradt__clipper *clipper) {
     paradt__clipping *clipping = clipper->clipping;
     paradt__convex *c = &clipper->cell;
     const paradt__diagram *g = clipping->g;
-    paradt_index p = clipping->points[clipper->at], mark = (paradt_index)clipper->at + 1;
+    paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 2;
     size_t corners = (size_t)g->k + 1, wall, i, j;
-    paradt_status status = paradt__convex_reset(c, p);
+    paradt_status status = PARADT_OK;
+    int done = 0;
+    if (g->centred && !(g->kind[p] & PARADT__CELL_HULL) && !g->nothing) status = paradt__clip_star(clipper, &done);
+    if (status || done) return status;
+    status = paradt__convex_reset(c, p);
     if (g->nothing) c->empty = 1;
     for (wall = 2 * (size_t)g->d; wall < g->wall_count && !status; wall++)
         status = paradt__convex_clip_by_wall(c, wall);
@@ -22958,7 +23095,10 @@ PARADT__HOT void paradt__clip_task(void *context, size_t task) {
     clipper.names = NULL;
     clipper.names_capacity = 0;
     clipper.stamp = (paradt_index *)paradt__alloc(clipper.memory, g->set.count, sizeof *clipper.stamp);
-    if (!clipper.stamp) {
+    clipper.number = (paradt_index *)paradt__alloc(clipper.memory, g->set.count, sizeof *clipper.number);
+    if (!clipper.stamp || !clipper.number) {
+        paradt__release(clipper.memory, clipper.stamp);
+        paradt__release(clipper.memory, clipper.number);
         clipping->status[task] = PARADT_ERROR_MEMORY;
         return;
     }
@@ -22972,6 +23112,7 @@ PARADT__HOT void paradt__clip_task(void *context, size_t task) {
     }
     paradt__convex_free(&clipper.cell);
     paradt__release(clipper.memory, clipper.stamp);
+    paradt__release(clipper.memory, clipper.number);
     paradt__release(clipper.memory, clipper.names);
     clipping->status[task] = status;
 }
@@ -23418,7 +23559,7 @@ PARADT__HOT paradt_status paradt__voronoi_clip(paradt__voronoi_work *work) {
     if (!again) return PARADT_ERROR_MEMORY;
     for (i = 0; i < g->set.count; i++) {
         again[i] = (g->kind[i] & PARADT__CELL_CLIPPED) != 0;
-        if (g->kind[i] == PARADT__CELL_THERE && work->tally.sums) {
+        if (g->kind[i] == PARADT__CELL_THERE && work->tally.sums) { // and not clipped
             const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
             again[i] = !(sums[0] > sums[1]);
         }
