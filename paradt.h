@@ -24962,8 +24962,9 @@ PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_t
 
 // What is known of a point, bits
 enum {
-    PARADT__CELL_THERE = 1,  // it is a vertex of the triangulation
-    PARADT__CELL_CLIPPED = 2 // its cell may be unbounded or leave the walls
+    PARADT__CELL_THERE = 1,   // it is a vertex of the triangulation
+    PARADT__CELL_CLIPPED = 2, // its cell may be unbounded or leave the walls
+    PARADT__CELL_HULL = 4     // it is on the hull
 };
 
 enum { PARADT__DIAGRAM_PACE = 1 << 12 }; // cells between two looks at whether the call is cancelled
@@ -24981,8 +24982,12 @@ typedef struct paradt__diagram {
     int d, k; // dimension of space; of the triangulation
     int weighted;
     paradt__set set;      // the points, in the caller's order
-    paradt__mesh mesh;    // of the triangulation, closed; none where k is less than 1
-    size_t cells;         // places of cells; ghosts follow
+    size_t cells;         // of the triangulation
+    char *rows;           // [cells] of row_bytes: vertices; where `centred` links, and then the cell's centre and its error
+    char *rows_block;     // the memory that they are in
+    size_t row_bytes;
+    size_t hull;          // facets of the hull
+    int centred;          // the triangulation is as wide as space, of two or three dimensions
     const double *scaled; // [set.count][set.width] what floating point works with; set.records where shift is 0
     int shift;
     double tiny;         // more than what underflow adds to a determinant
@@ -24990,7 +24995,6 @@ typedef struct paradt__diagram {
     size_t wall_count;
     int odd;             // the axes are an odd permutation of the caller's
     int nothing;         // the box has a lower bound above the upper
-    double *centres;     // [cells][d + 1] a vertex of the diagram, as far as nothing clips it; and its error
     unsigned char *kind; // [set.count] PARADT__CELL_* bits
     paradt__memory *memory;
     paradt__meter *meter;
@@ -25007,6 +25011,17 @@ typedef struct paradt__halfspace {
 // A square of a difference has been rounded three times, the sum of d squares d - 1 times, and a difference of weights
 // adds two and a sum; the offset of a wall takes fewer.
 #define PARADT__OFFSET_ROUNDINGS(d) ((d) + 6)
+
+// The bytes of a row with links and a centre; a cache line in space
+#define PARADT__ROW_BYTES(d) ((size_t)((d) + 1) * (2 * sizeof(paradt_index) + sizeof(double)))
+
+PARADT__INLINE paradt_index *paradt__row_vertices(const paradt__diagram *g, size_t cell, size_t bytes) {
+    return (paradt_index *)(void *)(g->rows + cell * bytes);
+}
+
+PARADT__INLINE double *paradt__row_centre(const paradt_index *vertices, int d) {
+    return (double *)(void *)(uintptr_t)(vertices + 2 * (d + 1));
+}
 
 PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, paradt_index point) {
     return g->scaled + (size_t)point * g->set.width;
@@ -25178,6 +25193,140 @@ PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt_
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>diagram order
+//
+// Points along Hilbert's curve, and the cells of the triangulation in the order of the first of their points: so what
+// is near in space is near in memory. A caller's points may come in any order, and cells in that of their making; to
+// walk around edges of these takes three times as long. From here on points are positions of the set. What belongs to a
+// cell comes into one row, and ghosts become hull points whose cells are unbounded.
+// Doors: paradt__diagram_rows.
+
+enum { PARADT__DIAGRAM_FEW = 4096 }; // cells: so few are in fast memory anyway
+
+// Sorts the points. to: [set.count] where each of them comes
+PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt_index *to) {
+    paradt__set *set = &g->set;
+    size_t i, n = set->count, width = set->width;
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc_filled(g->memory, 2 * n, sizeof *keyed);
+    double *records = (double *)paradt__alloc_filled(g->memory, n + 1, width * sizeof *records);
+    paradt__curve curve;
+    set->origin = (paradt_index *)paradt__alloc_filled(g->memory, n, sizeof *set->origin);
+    if (!keyed || !records || !set->origin) {
+        paradt__release(g->memory, keyed);
+        paradt__release(g->memory, records);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < n; i++) keyed[i].item = (paradt_index)i;
+    paradt__curve_begin(&curve, g->d, paradt__levels_for(n, g->d), set->space.low, set->space.high, n);
+    paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n);
+    for (i = 0; i < n; i++) {
+        PARADT__FETCH(set->records, (size_t)keyed[i + 16 < n ? i + 16 : i].item * width);
+        set->origin[i] = keyed[i].item;
+        to[keyed[i].item] = (paradt_index)i;
+        paradt__copy_record(records + i * width, set->records + (size_t)keyed[i].item * width, width);
+    }
+    paradt__release(g->memory, set->records);
+    paradt__release(g->memory, keyed);
+    set->records = records;
+    return PARADT_OK;
+}
+
+// The least vertex of a cell
+PARADT__INLINE paradt_index paradt__diagram_least(const paradt_index *vertices, int corners) {
+    paradt_index least = vertices[0];
+    int i;
+    for (i = 1; i < corners; i++) least = vertices[i] < least ? vertices[i] : least;
+    return least;
+}
+
+// Finds where cells come, whose vertices are positions. to: [cells]; first: [set.count + 1] scratch
+PARADT__INLINE void paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh, paradt_index *to,
+                                               paradt_index *first, int corners) {
+    size_t cell, i;
+    memset(first, 0, (g->set.count + 1) * sizeof *first);
+    for (cell = 0; cell < g->cells; cell++)
+        first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners) + 1]++;
+    for (i = 0; i < g->set.count; i++) first[i + 1] += first[i];
+    for (cell = 0; cell < g->cells; cell++)
+        to[cell] = first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners)]++;
+}
+
+// Fills the rows of cells in order. to: NULL: they stay where they are
+PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh, const paradt_index *to,
+                                         int corners) {
+    enum { AHEAD = 8 };
+    const size_t bytes = PARADT__ROW_BYTES(corners - 1);
+    size_t cell;
+    int j;
+    for (cell = 0; cell < g->cells; cell++) {
+        size_t base = cell * (size_t)corners;
+        paradt_index *row = paradt__row_vertices(g, to ? (size_t)to[cell] : cell, bytes);
+        if (to && cell + 2 * AHEAD < g->cells) {
+            for (j = 0; j < corners; j++) {
+                paradt_index link = mesh->links[base + (size_t)(2 * AHEAD * corners + j)] / corners;
+                PARADT__FETCH(to, link);
+            }
+            PARADT__PREFETCH_TO_WRITE(g->rows + (size_t)to[cell + AHEAD] * bytes);
+        }
+        for (j = 0; j < corners; j++) {
+            paradt_index link = mesh->links[base + (size_t)j], other = link / corners;
+            row[j] = mesh->vertices[base + (size_t)j];
+            if ((size_t)other >= g->cells) row[corners + j] = PARADT__HULL;
+            else row[corners + j] = to ? to[other] * corners + (link - other * corners) : link;
+        }
+    }
+}
+
+// Makes the rows of a triangulation that is as wide as space: sorts points and cells, and marks the points of the hull.
+PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const paradt__mesh *mesh) {
+    const size_t corners = (size_t)mesh->corners;
+    size_t i;
+    paradt_index *to = NULL, *scratch = NULL;
+    paradt_status status = PARADT_OK;
+    if (g->cells >= PARADT__DIAGRAM_FEW) {
+        scratch = (paradt_index *)paradt__alloc_filled(g->memory, g->set.count + 1, sizeof *scratch);
+        to = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *to);
+        status = scratch && to ? paradt__diagram_sort_points(g, scratch) : PARADT_ERROR_MEMORY;
+        for (i = 0; i < mesh->count * corners && !status; i++) {
+            if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
+        }
+        if (!status && corners == 4) paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
+        else if (!status) paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
+    }
+    if (!status && corners == 4) paradt__diagram_fill(g, mesh, to, 4);
+    else if (!status) paradt__diagram_fill(g, mesh, to, 3);
+    for (i = 0; i < g->cells * corners && !status; i++) g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    for (; i < mesh->count * corners && !status; i++) { // ghosts
+        if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
+    }
+    paradt__release(g->memory, to);
+    paradt__release(g->memory, scratch);
+    return status;
+}
+
+// Makes the rows, and finds which points are vertices. kind has been cleared.
+static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh *mesh) {
+    enum { LINE = 64 }; // bytes
+    size_t corners = (size_t)mesh->corners, cell, j;
+    g->centred = g->k == g->d && g->d <= 3;
+    g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : corners * sizeof(paradt_index);
+    if (g->cells > (SIZE_MAX / 2 - LINE) / g->row_bytes) return PARADT_ERROR_MEMORY;
+    g->rows_block = (char *)paradt__alloc_filled(g->memory, g->cells * g->row_bytes + LINE, 1);
+    if (!g->rows_block) return PARADT_ERROR_MEMORY;
+    g->rows = g->rows_block + (LINE - (uintptr_t)g->rows_block % LINE) % LINE;
+    if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
+    if (g->centred) return paradt__diagram_rows_centred(g, mesh);
+    for (cell = 0; cell < g->cells; cell++) {
+        paradt_index *row = paradt__row_vertices(g, cell, g->row_bytes);
+        for (j = 0; j < corners; j++) {
+            row[j] = mesh->vertices[cell * corners + j];
+            g->kind[row[j]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
+        }
+    }
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>Voronoi vertices
 //
 // The vertices of the diagram, as far as nothing clips it: one for each cell of the triangulation, the centre of the
@@ -25188,7 +25337,7 @@ PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt_
 // Doors: paradt__centres_make, paradt__centre_of, paradt__same_centre.
 
 PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
-    return g->centres + (size_t)cell * (size_t)(d + 1);
+    return paradt__row_centre(paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(d)), d);
 }
 
 // Computes the centre of a cell from integers. Returns 0 if the cell is flat.
@@ -25271,26 +25420,24 @@ typedef struct paradt__centring {
 } paradt__centring;
 
 PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t task, int d) {
-    enum { AHEAD = 16 };
     const paradt__diagram *g = centring->g;
-    const paradt_index *rows = g->mesh.vertices;
     size_t cell, end = paradt__loader_range(centring->team, g->cells, task, &cell), first = cell;
     int i;
     for (; cell < end; cell++) {
-        const paradt_index *vertices = rows + cell * (size_t)(d + 1);
-        double *centre = g->centres + cell * (size_t)(d + 1);
+        const paradt_index *vertices = paradt__row_vertices(g, cell, PARADT__ROW_BYTES(d));
+        double *centre = paradt__row_centre(vertices, d);
         if (cell % PARADT__DIAGRAM_PACE == 0 &&
             paradt__team_cancels(centring->team, task, (double)(cell - first) / (double)(end - first)))
             return;
-        for (i = 0; i <= d && cell + AHEAD < end; i++)
-            PARADT__FETCH(g->scaled, (size_t)vertices[AHEAD * (d + 1) + i] * g->set.width);
         if (!paradt__centre_compute(g, vertices, centre, d)) {
             centring->status[task] = PARADT_ERROR_INVALID;
             return;
         }
         if (paradt__centre_is_inside(g, centre, d)) continue;
-        for (i = 0; i <= d; i++)
-            PARADT__ATOMIC_SET(&g->kind[vertices[i]], PARADT__CELL_THERE | PARADT__CELL_CLIPPED);
+        for (i = 0; i <= d; i++) {
+            unsigned char *kind = &g->kind[vertices[i]], known = PARADT__ATOMIC_LOAD(kind);
+            if (!(known & PARADT__CELL_CLIPPED)) PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
+        }
     }
 }
 
@@ -25304,16 +25451,10 @@ PARADT__HOT void paradt__centres_task(void *context, size_t task) {
 // may have to be clipped.
 static paradt_status paradt__centres_make(paradt__diagram *g, const paradt__team *team) {
     paradt__centring centring;
-    size_t i, task;
+    size_t task;
     centring.g = g;
     centring.team = team;
     memset(centring.status, 0, sizeof centring.status);
-    g->centres = (double *)paradt__alloc(g->memory, g->cells, (size_t)(g->d + 1) * sizeof *g->centres);
-    if (!g->centres) return PARADT_ERROR_MEMORY;
-    if (team->tasks == 1) paradt__make_pages(g->centres, 0, g->cells * (size_t)(g->d + 1) * sizeof *g->centres);
-    for (i = g->cells * (size_t)(g->d + 1); i < g->mesh.count * (size_t)(g->d + 1); i++) { // of ghosts
-        if (g->mesh.vertices[i] != PARADT__INFINITE) g->kind[g->mesh.vertices[i]] |= PARADT__CELL_CLIPPED;
-    }
     paradt__team_run(team, paradt__centres_task, &centring);
     if (paradt__team_cancelled(team)) return PARADT_ERROR_CANCELLED;
     for (task = 0; task < team->tasks; task++) {
@@ -25322,13 +25463,13 @@ static paradt_status paradt__centres_make(paradt__diagram *g, const paradt__team
     return PARADT_OK;
 }
 
-// Have two neighbours the same sphere? link: the facet as the first of them sees it
-PARADT__NOINLINE int paradt__centres_agree(const paradt__diagram *g, paradt__space *space, paradt_index link) {
-    const paradt_index corners = g->d + 1, base = link - link % corners;
+// Have a cell and its neighbour at a place the same sphere?
+PARADT__NOINLINE int paradt__centres_agree(const paradt__diagram *g, paradt__space *space, size_t cell, int place) {
+    const paradt_index corners = g->d + 1, *row = paradt__row_vertices(g, cell, g->row_bytes);
+    paradt_index link = row[corners + place], other = link / corners, i;
     const double *p[PARADT_MAX_DIM + 2];
-    paradt_index i;
-    for (i = 0; i < corners; i++) p[i] = paradt__record(&g->set, g->mesh.vertices[base + i]);
-    p[corners] = paradt__record(&g->set, g->mesh.vertices[g->mesh.links[link]]);
+    for (i = 0; i < corners; i++) p[i] = paradt__record(&g->set, row[i]);
+    p[corners] = paradt__record(&g->set, paradt__row_vertices(g, (size_t)other, g->row_bytes)[link % corners]);
     return !paradt__insphere(space, p);
 }
 
@@ -25465,21 +25606,22 @@ typedef struct paradt__ring {
 PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *done, size_t begin, size_t end,
                                      paradt_index cell, int edge, const double *normal, paradt__ring *ring,
                                      int moments) {
-    const paradt_index *vertices = g->mesh.vertices, *links = g->mesh.links;
     const unsigned char *places = paradt__ring_edges[edge];
-    const double *first = g->centres + (size_t)cell * 4, *last = first, *next;
-    paradt_index at = cell, kept = vertices[4 * cell + places[3]], handle;
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
+    const double *first = paradt__row_centre(row, 3), *last = first, *next;
+    paradt_index at = cell, kept = row[places[3]], handle;
     int cross = places[2], j;
     double a[3] = {0}, b[3], area[3] = {0}, moment[3] = {0}, along = 0, size = 0, error = first[3];
     int corners = 0, changes = 0;
     do {
-        handle = links[4 * at + cross];
+        handle = row[4 + cross];
         at = handle >> 2;
-        cross = paradt__given_place(vertices + 4 * at, kept, 4);
-        kept = vertices[handle];
+        row = paradt__row_vertices(g, (size_t)at, PARADT__ROW_BYTES(3));
+        cross = paradt__given_place(row, kept, 4);
+        kept = row[handle & 3];
         if (at < cell) return 0;
         if ((size_t)at < end) done[at] |= paradt__ring_marks[cross & 3][handle & 3];
-        next = g->centres + (size_t)at * 4;
+        next = paradt__row_centre(row, 3);
         changes += paradt__centres_differ(last, next, 3);
         corners++;
         b[0] = next[0] - first[0], b[1] = next[1] - first[1], b[2] = next[2] - first[2];
@@ -25512,19 +25654,20 @@ PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *do
 
 // How many different vertices has the polygon around an edge? Up to three are counted.
 PARADT__NOINLINE int paradt__ring_changes(const paradt__diagram *g, paradt__space *space, paradt_index cell, int edge) {
-    const paradt_index *vertices = g->mesh.vertices, *links = g->mesh.links;
     const unsigned char *places = paradt__ring_edges[edge];
-    paradt_index at = cell, kept = vertices[4 * cell + places[3]], handle;
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3)), *last;
+    paradt_index at = cell, kept = row[places[3]], handle;
     int cross = places[2], changes = 0;
     do {
-        paradt_index link = 4 * at + cross;
-        handle = links[link];
-        if (paradt__centres_differ(g->centres + (size_t)at * 4, g->centres + (size_t)(handle >> 2) * 4, 3) ||
-            !paradt__centres_agree(g, space, link))
+        handle = row[4 + cross];
+        last = row;
+        row = paradt__row_vertices(g, (size_t)(handle >> 2), PARADT__ROW_BYTES(3));
+        if (paradt__centres_differ(paradt__row_centre(last, 3), paradt__row_centre(row, 3), 3) ||
+            !paradt__centres_agree(g, space, (size_t)at, cross))
             changes++;
         at = handle >> 2;
-        cross = paradt__given_place(vertices + 4 * at, kept, 4);
-        kept = vertices[handle];
+        cross = paradt__given_place(row, kept, 4);
+        kept = row[handle & 3];
     } while (at != cell && changes < 3);
     return changes;
 }
@@ -25594,10 +25737,10 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
                                                    paradt__face_list *list, paradt__space *space, size_t begin,
                                                    size_t end, paradt_index cell, int edge, int moments) {
     const paradt__diagram *g = facing->g;
-    const paradt_index *vertices = g->mesh.vertices + 4 * cell;
+    const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
     paradt_index p = vertices[paradt__ring_edges[edge][0]], q = vertices[paradt__ring_edges[edge][1]];
     const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
-    const double *first = g->centres + (size_t)cell * 4;
+    const double *first = paradt__row_centre(vertices, 3);
     double normal[3], where[3] = {0}, measure, step, error;
     paradt__ring ring;
     int j, turns;
@@ -25625,39 +25768,32 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
     return PARADT_OK;
 }
 
-// Fetches what rings around edges of cells that come soon lead to: the neighbours of a cell, and some of theirs.
+// Fetches the rows of the neighbours of a cell, and of theirs for a cell whose neighbours have been fetched.
 PARADT__INLINE void paradt__ring_fetch(const paradt__diagram *g, size_t cell, size_t sooner) {
-    const paradt_index *links = g->mesh.links;
+    const size_t bytes = PARADT__ROW_BYTES(3);
+    const paradt_index *row;
     int i, j;
     if (cell >= g->cells) return;
+    row = paradt__row_vertices(g, cell, bytes) + 4;
+    for (i = 0; i < 4; i++) PARADT__FETCH(g->rows, (size_t)(row[i] < 0 ? 0 : row[i] >> 2) * bytes);
+    row = paradt__row_vertices(g, sooner, bytes) + 4;
     for (i = 0; i < 4; i++) {
-        paradt_index link = links[4 * cell + (size_t)i];
-        PARADT__FETCH(g->mesh.vertices, link);
-        PARADT__FETCH(links, link);
-        PARADT__FETCH(g->centres, link & ~(paradt_index)3);
-    }
-    for (i = 0; i < 4; i++) {
-        paradt_index next = links[4 * sooner + (size_t)i] & ~(paradt_index)3;
-        for (j = 0; j < 4; j++) {
-            paradt_index link = links[next + j];
-            PARADT__FETCH(g->mesh.vertices, link);
-            PARADT__FETCH(links, link);
-            PARADT__FETCH(g->centres, link & ~(paradt_index)3);
-        }
+        const paradt_index *next = paradt__row_vertices(g, (size_t)(row[i] < 0 ? 0 : row[i] >> 2), bytes) + 4;
+        for (j = 0; j < 4; j++) PARADT__FETCH(g->rows, (size_t)(next[j] < 0 ? 0 : next[j] >> 2) * bytes);
     }
 }
 
 PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, paradt__voronoi_tally *tally,
                                                     paradt__face_list *list, size_t task, size_t begin, size_t end,
                                                     int moments) {
-    enum { ROWS_AHEAD = 16, NEXT_AHEAD = 8 };
+    enum { ROWS_AHEAD = 24, NEXT_AHEAD = 12 };
     const paradt__diagram *g = facing->g;
     size_t cell;
     int edge;
     for (cell = begin; cell < end; cell++) {
-        const paradt_index *vertices = g->mesh.vertices + 4 * cell;
-        paradt__ring_fetch(g, cell + ROWS_AHEAD, cell + NEXT_AHEAD);
+        const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
         unsigned inner = 0, todo = 63u & ~(unsigned)facing->done[cell];
+        paradt__ring_fetch(g, cell + ROWS_AHEAD, cell + NEXT_AHEAD);
         if (cell % PARADT__DIAGRAM_PACE == 0 &&
             paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
             return PARADT_ERROR_CANCELLED;
@@ -25685,8 +25821,8 @@ PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, para
     size_t cell;
     int i, j;
     for (cell = begin; cell < end; cell++) {
-        const paradt_index *vertices = g->mesh.vertices + 3 * cell;
-        const double *first = g->centres + 3 * cell;
+        const paradt_index *vertices = paradt__row_vertices(g, cell, PARADT__ROW_BYTES(2));
+        const double *first = paradt__row_centre(vertices, 2);
         if (cell % PARADT__DIAGRAM_PACE == 0 &&
             paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
             return PARADT_ERROR_CANCELLED;
@@ -25695,13 +25831,14 @@ PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, para
             if (status) return status;
         }
         for (i = 0; i < 3; i++) {
-            paradt_index p = vertices[(i + 1) % 3], q = vertices[(i + 2) % 3], link = (paradt_index)(3 * cell) + i;
-            size_t other = (size_t)g->mesh.links[link] / 3;
+            paradt_index p = vertices[(i + 1) % 3], q = vertices[(i + 2) % 3], link = vertices[3 + i];
+            size_t other = (size_t)link / 3;
             const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
-            const double *second = g->centres + 3 * other;
+            const double *second;
             double normal[2], along[2], where[2], measure, size, error;
-            if (other < cell || g->kind[p] & g->kind[q] & PARADT__CELL_CLIPPED) continue;
-            if (!paradt__centres_differ(first, second, 2) && paradt__centres_agree(g, &facing->space[task], link))
+            if (link < 0 || other < cell || g->kind[p] & g->kind[q] & PARADT__CELL_CLIPPED) continue;
+            second = paradt__centre_of(g, (paradt_index)other, 2);
+            if (!paradt__centres_differ(first, second, 2) && paradt__centres_agree(g, &facing->space[task], cell, i))
                 continue;
             for (j = 0; j < 2; j++) {
                 normal[j] = to[j] - from[j];
@@ -25790,8 +25927,7 @@ static paradt_status paradt__faces_end(paradt__facing *facing, paradt__voronoi_t
 
 // The number of edges of a triangulation of a ball, by Euler's formula; only a guess where something is wrong with it
 static size_t paradt__edges_expected(const paradt__diagram *g) {
-    size_t hull = g->mesh.count - g->cells;
-    return g->d == 2 ? g->set.count + g->cells : g->set.count + g->cells + hull / 2;
+    return g->set.count + g->cells + g->hull / 2;
 }
 
 // Measures all faces of which one of the cells is not clipped.
@@ -26195,12 +26331,15 @@ typedef struct paradt__convex {
     size_t place_capacity;
     paradt__exact_work exact;
     int empty;                  // nothing is left
+    int tied;                   // a vertex has been on a plane that clipped, or did not
     // made by paradt__convex_settle
     int merged, unbounded, flat; // some vertices coincide; some are far; the cell has no measure
     paradt_index *same;         // [place_capacity] of vertices that coincide: one of them
     paradt_index *entry;        // [plane_capacity] the handle of a plane at a vertex; -1: it is at none
     unsigned char *real;        // [plane_capacity] the face on the plane has a measure
     size_t same_capacity, entry_capacity;
+    paradt_index *local; // [local_capacity] a table: cells of the triangulation, 4 times the vertex, and the place of p
+    size_t local_capacity;
     paradt__memory *memory;
 } paradt__convex;
 
@@ -26223,6 +26362,7 @@ static void paradt__convex_free(paradt__convex *c) {
     paradt__release(c->memory, c->same);
     paradt__release(c->memory, c->entry);
     paradt__release(c->memory, c->real);
+    paradt__release(c->memory, c->local);
     paradt__exact_free(&c->exact);
 }
 
@@ -26299,7 +26439,7 @@ static paradt_status paradt__convex_reset(paradt__convex *c, paradt_index p) {
     mesh->count = mesh->spare_count = 0;
     c->p = p;
     c->plane_count = 0;
-    c->empty = 0;
+    c->empty = c->tied = 0;
     for (i = 0; i < 2 * d && !status; i++) {
         status = paradt__convex_plane_room(c);
         if (!status) paradt__diagram_wall(c->g, p, (size_t)i, &c->planes[c->plane_count++]);
@@ -26330,6 +26470,83 @@ static paradt_status paradt__convex_reset(paradt__convex *c, paradt_index p) {
     return c->exact.status;
 }
 
+// Begins the cell of p, which is bounded, as nothing clips it: from the cells of the triangulation around p, in space
+// or in the plane. number: [points] scratch; at those that stamp[point] == mark has found, the numbers of their planes
+PARADT__INLINE paradt_status paradt__convex_star(paradt__convex *c, paradt_index p, const paradt_index *around,
+                                                 size_t count, paradt_index *stamp, paradt_index *number,
+                                                 paradt_index mark, int d) {
+    // the places of a cell's other vertices, so that with p before them the order is even
+    static const unsigned char order[2][4][3] = {{{1, 2, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 0}},
+                                                 {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    const paradt__diagram *g = c->g;
+    const double *base = paradt__diagram_point(g, p);
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t i, mask = 63;
+    int j;
+    paradt_status status = paradt__convex_room(c, count);
+    c->p = p;
+    c->plane_count = 0;
+    c->empty = c->tied = 0;
+    while (mask < 2 * count) mask = 2 * mask + 1;
+    if (!status && c->local_capacity < 2 * (mask + 1)) {
+        paradt__release(c->memory, c->local);
+        c->local_capacity = 0;
+        c->local = (paradt_index *)paradt__alloc(c->memory, 2 * (mask + 1), sizeof *c->local);
+        if (c->local) c->local_capacity = 2 * (mask + 1);
+        else status = PARADT_ERROR_MEMORY;
+    }
+    if (status) return status;
+    mesh->spare_count = 0;
+    mesh->count = count;
+    memset(mesh->marks, 0, count);
+    memset(c->far, 0, count);
+    memset(c->local, -1, 2 * (mask + 1) * sizeof *c->local);
+    for (i = 0; i < count; i++) { // numbers, planes, places
+        const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
+        const double *centre = paradt__row_centre(row, d);
+        const unsigned char *places;
+        double *y = paradt__convex_place(c, i), largest = 0;
+        size_t slot = (size_t)around[i] * 0x9E3779B1u & mask;
+        for (j = 0; row[j] != p; j++) {
+        }
+        places = order[d - 2][j];
+        while (c->local[2 * slot] >= 0) slot = (slot + 1) & mask;
+        c->local[2 * slot] = around[i];
+        c->local[2 * slot + 1] = (paradt_index)i * 4 + j;
+        for (j = 0; j < d; j++) {
+            paradt_index q = row[places[j]];
+            if (stamp[q] != mark) {
+                status = paradt__convex_plane_room(c);
+                if (status) return status;
+                stamp[q] = mark;
+                number[q] = (paradt_index)c->plane_count;
+                paradt__diagram_bisector(g, p, q, &c->planes[c->plane_count++], d);
+            }
+            mesh->vertices[i * (size_t)d + (size_t)j] = number[q];
+            y[j] = centre[j] - base[j];
+            largest = paradt__larger(largest, paradt__abs(y[j]));
+        }
+        y[d] = (centre[d] + PARADT__ROUNDOFF * largest) * (1 + 4 * PARADT__ROUNDOFF);
+    }
+    for (i = 0; i < count; i++) { // links
+        const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
+        const unsigned char *places;
+        for (j = 0; row[j] != p; j++) {
+        }
+        places = order[d - 2][j];
+        for (j = 0; j < d; j++) {
+            paradt_index link = row[d + 1 + places[j]], other = link / (d + 1), found;
+            int apex = (int)(link - other * (d + 1)), to = 0;
+            size_t slot = (size_t)other * 0x9E3779B1u & mask;
+            while (c->local[2 * slot] != other) slot = (slot + 1) & mask;
+            found = c->local[2 * slot + 1];
+            while (order[d - 2][found & 3][to] != apex) to++;
+            mesh->links[i * (size_t)d + (size_t)j] = (found >> 2) * d + to;
+        }
+    }
+    return PARADT_OK;
+}
+
 // Digs the cavity: lists the vertices outside of the plane, and the rim. Returns how many are inside.
 PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt__halfspace *plane, size_t *inside,
                                                 int d) {
@@ -26337,7 +26554,7 @@ PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt_
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
     size_t vertex, i;
-    int j;
+    int j, above;
     paradt_status status =
         paradt__list_room(&update->killed, 0, &update->killed_capacity, mesh->count, c->memory);
     if (!status)
@@ -26347,7 +26564,9 @@ PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt_
     *inside = 0;
     for (vertex = 0; vertex < mesh->count; vertex++) {
         if (mesh->vertices[vertex * (size_t)d] == PARADT__DEAD) continue;
-        if (paradt__convex_above(c, vertex, plane, d) > 0) {
+        above = paradt__convex_above(c, vertex, plane, d);
+        c->tied |= !above;
+        if (above > 0) {
             mesh->marks[vertex] |= PARADT__CONFLICT;
             update->killed[update->killed_count++] = (paradt_index)vertex * d;
         } else {
@@ -26494,8 +26713,32 @@ static int paradt__convex_few_real(const paradt__convex *c, paradt_index entry, 
     return changes > (size_t)(c->d > 2 ? 2 : 0);
 }
 
-// The same in higher dimensions, for all faces. Where the different vertices of a face have a second plane in common
-// it is less than a face.
+// Do two planes of a cell that have a place in common coincide? That is, are the points that they separate p from in a
+// line with it?
+static int paradt__convex_planes_coincide(const paradt__convex *c, const paradt__halfspace *a,
+                                          const paradt__halfspace *b) {
+    const double *p[3];
+    int i, j, k;
+    if (a->side < 0 || b->side < 0) return 0; // of these the later one would not be there
+    p[0] = paradt__record(&c->g->set, c->p);
+    p[1] = paradt__record(&c->g->set, a->side);
+    p[2] = paradt__record(&c->g->set, b->side);
+    for (i = 1; i < c->d; i++) {
+        for (j = 0; j < i; j++) {
+            double x[3][2];
+            const double *q[3];
+            for (k = 0; k < 3; k++) {
+                x[k][0] = p[k][j], x[k][1] = p[k][i];
+                q[k] = x[k];
+            }
+            if (paradt_orient(2, q)) return 0;
+        }
+    }
+    return 1;
+}
+
+// The same in higher dimensions, for all faces. Where the different vertices of a face have a second plane in common,
+// which is not the same, it is less than a face.
 static paradt_status paradt__convex_many_real(paradt__convex *c) {
     const paradt__mesh *mesh = &c->build.scene.mesh;
     size_t d = (size_t)c->d, rows = mesh->count * d, i, j, plane, count;
@@ -26535,8 +26778,12 @@ static paradt_status paradt__convex_many_real(paradt__convex *c) {
             vertices++;
             for (j = first[i]; j < first[i + 1]; j++) seen[tight[j].item]++;
         }
-        for (i = 0; i < c->plane_count; i++) shared += seen[i] == vertices;
-        c->real[plane] = shared == 1;
+        for (i = 0; i < c->plane_count; i++) {
+            if (i == plane || seen[i] != vertices) continue;
+            if (paradt__convex_planes_coincide(c, c->planes + i, c->planes + plane)) c->flat = 1;
+            else shared++;
+        }
+        c->real[plane] = !shared;
     }
     paradt__release(c->memory, tight);
     paradt__release(c->memory, first);
@@ -26924,26 +27171,49 @@ typedef struct paradt__clipping {
 typedef struct paradt__clipper {
     paradt__clipping *clipping;
     paradt__convex cell;
-    paradt_index *stamp;       // [points] the last of the task's points whose neighbour it was found to be, plus 1
+    paradt_index *stamp;       // [points] of the last of the task's points whose neighbour it was found to be: a mark
+    paradt_index *number;      // [points] scratch of paradt__convex_star
     paradt_index *names;       // [names_capacity] of the cell's vertices, by the one that those that coincide have
     size_t names_capacity;
     size_t task, at;           // at: of the points
     paradt__memory *memory;
 } paradt__clipper;
 
+// Clips a bounded cell by the walls. Returns in *done whether that was all: where a vertex is on a wall, walls have to
+// come first, so that of planes that coincide the wall counts.
+static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    size_t first = clipping->first[clipper->at], count = clipping->first[clipper->at + 1] - first, wall;
+    paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 1;
+    const paradt_index *around = clipping->around + first;
+    paradt_status status =
+        g->d == 2 ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
+                  : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
+    for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++)
+        if (!g->walls[wall].far) status = paradt__convex_clip_by_wall(c, wall);
+    *done = !c->tied;
+    return !status && *done ? paradt__convex_settle(c) : status;
+}
+
 // Clips the cell of a point by all that may clip it.
 static paradt_status paradt__clip_cell(paradt__clipper *clipper) {
     paradt__clipping *clipping = clipper->clipping;
     paradt__convex *c = &clipper->cell;
     const paradt__diagram *g = clipping->g;
-    paradt_index p = clipping->points[clipper->at], mark = (paradt_index)clipper->at + 1;
+    paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 2;
     size_t corners = (size_t)g->k + 1, wall, i, j;
-    paradt_status status = paradt__convex_reset(c, p);
+    paradt_status status = PARADT_OK;
+    int done = 0;
+    if (g->centred && !(g->kind[p] & PARADT__CELL_HULL) && !g->nothing) status = paradt__clip_star(clipper, &done);
+    if (status || done) return status;
+    status = paradt__convex_reset(c, p);
     if (g->nothing) c->empty = 1;
     for (wall = 2 * (size_t)g->d; wall < g->wall_count && !status; wall++)
         status = paradt__convex_clip_by_wall(c, wall);
     for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && !status && !c->empty; i++) {
-        const paradt_index *row = g->mesh.vertices + (size_t)clipping->around[i] * corners;
+        const paradt_index *row = paradt__row_vertices(g, (size_t)clipping->around[i], g->row_bytes);
         for (j = 0; j < corners && !status; j++) {
             if (row[j] == p || clipper->stamp[row[j]] == mark) continue;
             clipper->stamp[row[j]] = mark;
@@ -26958,7 +27228,7 @@ static int paradt__clip_is_centre(paradt__convex *c, size_t vertex, paradt_index
     const paradt__diagram *g = c->g;
     const double *y = paradt__convex_place(c, vertex), *centre = paradt__centre_of(g, cell, g->d);
     const double *base = paradt__diagram_point(g, c->p);
-    const paradt_index *row = g->mesh.vertices + (size_t)cell * (size_t)(g->d + 1);
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
     const paradt__halfspace *h[PARADT_MAX_DIM + 1];
     paradt__halfspace plane;
     int i, j;
@@ -26990,7 +27260,7 @@ static paradt_status paradt__clip_name(paradt__clipper *clipper, size_t vertex, 
     size_t i;
     *name = -1;
     if (c->far[vertex]) return PARADT_OK;
-    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && g->centres; i++) {
+    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && g->centred; i++) {
         if (!paradt__clip_is_centre(c, vertex, clipping->around[i])) continue;
         *name = clipping->around[i];
         return c->exact.status;
@@ -27153,7 +27423,10 @@ PARADT__HOT void paradt__clip_task(void *context, size_t task) {
     clipper.names = NULL;
     clipper.names_capacity = 0;
     clipper.stamp = (paradt_index *)paradt__alloc(clipper.memory, g->set.count, sizeof *clipper.stamp);
-    if (!clipper.stamp) {
+    clipper.number = (paradt_index *)paradt__alloc(clipper.memory, g->set.count, sizeof *clipper.number);
+    if (!clipper.stamp || !clipper.number) {
+        paradt__release(clipper.memory, clipper.stamp);
+        paradt__release(clipper.memory, clipper.number);
         clipping->status[task] = PARADT_ERROR_MEMORY;
         return;
     }
@@ -27167,14 +27440,15 @@ PARADT__HOT void paradt__clip_task(void *context, size_t task) {
     }
     paradt__convex_free(&clipper.cell);
     paradt__release(clipper.memory, clipper.stamp);
+    paradt__release(clipper.memory, clipper.number);
     paradt__release(clipper.memory, clipper.names);
     clipping->status[task] = status;
 }
 
 // Lists the points whose cells are clipped, or have no certain measure, and the cells of the triangulation around each.
-static paradt_status paradt__clip_collect(paradt__clipping *clipping, const unsigned char *again) {
+PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const unsigned char *again) {
     const paradt__diagram *g = clipping->g;
-    size_t n = g->set.count, i, at, corners = (size_t)g->k + 1;
+    size_t n = g->set.count, i, j, at, corners = (size_t)g->k + 1;
     paradt_index *slot;
     for (i = 0; i < n; i++) clipping->point_count += again[i] != 0;
     if (!clipping->point_count) return PARADT_OK;
@@ -27190,14 +27464,20 @@ static paradt_status paradt__clip_collect(paradt__clipping *clipping, const unsi
         slot[i] = again[i] ? (paradt_index)at : -1;
         if (again[i]) clipping->points[at++] = (paradt_index)i;
     }
-    for (i = 0; i < g->cells * corners; i++)
-        if (slot[g->mesh.vertices[i]] >= 0) clipping->first[slot[g->mesh.vertices[i]] + 1]++;
+    for (i = 0; i < g->cells; i++) {
+        const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
+        for (j = 0; j < corners; j++)
+            if (slot[row[j]] >= 0) clipping->first[slot[row[j]] + 1]++;
+    }
     for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
     clipping->around = (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1,
                                                      sizeof *clipping->around);
-    for (i = 0; i < g->cells * corners && clipping->around; i++) {
-        paradt_index of = slot[g->mesh.vertices[i]];
-        if (of >= 0) clipping->around[clipping->first[of]++] = (paradt_index)(i / corners);
+    for (i = 0; i < g->cells && clipping->around; i++) {
+        const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
+        for (j = 0; j < corners; j++) {
+            paradt_index of = slot[row[j]];
+            if (of >= 0) clipping->around[clipping->first[of]++] = (paradt_index)i;
+        }
     }
     for (i = clipping->point_count; i > 0; i--) clipping->first[i] = clipping->first[i - 1];
     clipping->first[0] = 0;
@@ -27313,6 +27593,7 @@ typedef struct paradt__voronoi_work {
     paradt__diagram g;
     double *scaled;      // of the diagram, where it has its own
     paradt__voronoi_tally tally; // of the cells
+    unsigned char *unbounded; // [points] is the cell?
     paradt__face_list list;
     paradt__corner_list corners; // of faces that are clipped
     uint32_t reported[4];
@@ -27324,6 +27605,11 @@ static paradt__team paradt__voronoi_team(paradt__voronoi_work *work, int step) {
     static const double shares[] = {0.2, 0.4, 0.3, 0.1};
     return paradt__team_of(&work->options, work->tasks,
                            paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
+}
+
+// The caller's index of a position
+PARADT__INLINE size_t paradt__voronoi_index(const paradt__diagram *g, size_t position) {
+    return g->set.origin ? (size_t)g->set.origin[position] : position;
 }
 
 // --- arguments
@@ -27447,8 +27733,9 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
 static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
                                           const paradt_points *points, size_t *bad) {
     paradt__diagram *g = &work->g;
+    paradt__mesh mesh;
     paradt_status status = PARADT_OK;
-    size_t i;
+    memset(&mesh, 0, sizeof mesh);
     g->d = points->dim;
     g->k = t->cell_count ? t->dim : -1;
     g->weighted = points->weights != NULL;
@@ -27456,18 +27743,20 @@ static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const para
     g->meter = &work->meter;
     if (g->k >= 1) {
         int facets = (work->options.flags & PARADT_FACETS) != 0;
-        status = paradt__given_mesh(&g->mesh, t, facets, &work->memory, &work->meter);
+        status = paradt__given_mesh(&mesh, t, facets, &work->memory, &work->meter);
+        g->cells = t->cell_count;
+        g->hull = mesh.count - g->cells;
     }
-    g->cells = g->k >= 1 ? t->cell_count : 0;
     if (!status) status = paradt__given_set(&g->set, t, points, &work->memory, &work->meter, bad);
-    if (status) return status;
     g->kind = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
-    if (!g->kind) return PARADT_ERROR_MEMORY;
-    memset(g->kind, 0, points->count);
-    for (i = 0; i < t->cell_count * (size_t)(t->dim + 1); i++) {
-        if (t->dim < 1 && (t->cells[i] < 0 || (size_t)t->cells[i] >= points->count)) return PARADT_ERROR_INVALID;
-        g->kind[t->cells[i]] = PARADT__CELL_THERE;
-    }
+    if (!status && !g->kind) status = PARADT_ERROR_MEMORY;
+    if (!status) memset(g->kind, 0, points->count);
+    if (!status && g->k >= 1) status = paradt__diagram_rows(g, &mesh);
+    paradt__mesh_free(&mesh, &work->memory);
+    if (status || g->k != 0) return status;
+    // a triangulation of one vertex, which has no mesh
+    if (t->cells[0] < 0 || (size_t)t->cells[0] >= points->count) return PARADT_ERROR_INVALID;
+    g->kind[t->cells[0]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
     return PARADT_OK;
 }
 
@@ -27498,7 +27787,7 @@ static double paradt__voronoi_unscale(const paradt__diagram *g, double value, in
 }
 
 // Hands over what was summed up for the cells.
-static paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_voronoi *out) {
     const paradt__diagram *g = &work->g;
     size_t i, n = g->set.count;
     int d = g->d, j;
@@ -27510,29 +27799,33 @@ static paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_vo
     if (work->wants & PARADT_VORONOI_CENTROIDS)
         out->centroids = (double *)paradt__voronoi_array(work, n * (size_t)d, sizeof *out->centroids, &status);
     if (status) return status;
+    for (i = 0; i < n; i++) out->unbounded[paradt__voronoi_index(g, i)] = work->unbounded[i];
     for (i = 0; i < n && work->tally.sums; i++) {
         const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
-        int infinite = out->unbounded[i];
+        size_t to = paradt__voronoi_index(g, i);
+        int infinite = work->unbounded[i];
         double volume = infinite ? HUGE_VAL : sums[0], error = infinite ? 0 : sums[1];
         if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
+        if (!infinite && !(volume + error < HUGE_VAL)) // beyond all doubles: the largest one, and no bound
+            volume = paradt__from_bits(UINT64_C(0x7fefffffffffffff)), error = HUGE_VAL;
         double scaled = volume;
         if (out->volumes) {
             if (!infinite && volume > 0) volume = paradt__voronoi_unscale(g, volume, d, &error);
-            out->volumes[i] = volume;
-            out->volume_errors[i] = error;
-            out->volume += volume;
+            out->volumes[to] = volume;
+            out->volume_errors[to] = error;
         }
         for (j = 0; j < d && out->centroids; j++) {
             double x = paradt__diagram_point(g, (paradt_index)i)[j] + sums[2 + j] / scaled;
             x = paradt__voronoi_unscaled(g, x, 1);
-            out->centroids[i * (size_t)d + (size_t)g->set.axes[j]] = infinite || !(scaled > 0) ? NAN : x;
+            out->centroids[to * (size_t)d + (size_t)g->set.axes[j]] = infinite || !(scaled > 0) ? NAN : x;
         }
     }
+    for (i = 0; i < n && out->volumes; i++) out->volume += out->volumes[i];
     return PARADT_OK;
 }
 
 // For each cell its faces, in the order of their numbers
-static paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, paradt_voronoi *out) {
     size_t i, n = work->g.set.count, side;
     paradt_status status = PARADT_OK;
     out->first_face = (size_t *)paradt__voronoi_array(work, n + 1, sizeof *out->first_face, &status);
@@ -27555,7 +27848,7 @@ static paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, parad
 }
 
 // Hands over the faces.
-static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_voronoi *out) {
     paradt__face_list *list = &work->list;
     const paradt__diagram *g = &work->g;
     size_t i, d = (size_t)g->d, j;
@@ -27566,6 +27859,8 @@ static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_vo
     out->normals = list->normals;
     list->sides = NULL;
     list->areas = list->centroids = list->normals = NULL;
+    for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
+        if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
     if (out->areas && (g->shift || g->k < g->d)) {
         for (i = 0; i < out->face_count; i++) {
             double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
@@ -27582,7 +27877,7 @@ static paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_vo
 }
 
 // Clips what has to be clipped, or was measured with an error as large as what was measured.
-static paradt_status paradt__voronoi_clip(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_clip(paradt__voronoi_work *work) {
     paradt__diagram *g = &work->g;
     paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CLIPS);
     const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
@@ -27592,12 +27887,12 @@ static paradt_status paradt__voronoi_clip(paradt__voronoi_work *work, paradt_vor
     if (!again) return PARADT_ERROR_MEMORY;
     for (i = 0; i < g->set.count; i++) {
         again[i] = (g->kind[i] & PARADT__CELL_CLIPPED) != 0;
-        if (g->kind[i] == PARADT__CELL_THERE && work->tally.sums) {
+        if (g->kind[i] == PARADT__CELL_THERE && work->tally.sums) { // and not clipped
             const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
             again[i] = !(sums[0] > sums[1]);
         }
     }
-    status = paradt__clip_all(g, &team, work->wants, again, &work->tally, out->unbounded,
+    status = paradt__clip_all(g, &team, work->wants, again, &work->tally, work->unbounded,
                               work->wants & faces ? &work->list : NULL, &work->corners);
     paradt__release(&work->memory, again);
     return status;
@@ -27625,20 +27920,22 @@ static void paradt__numbering_free(paradt__numbering *n, paradt__memory *memory)
 }
 
 // Finds which cells have one sphere.
-static paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__voronoi_work *work) {
+PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__voronoi_work *work) {
     paradt__diagram *g = &work->g;
     size_t i, corners = (size_t)g->d + 1;
-    if (!g->centres) return PARADT_OK;
+    if (!g->centred) return PARADT_OK;
     n->same = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->same);
     n->number = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->number);
     if (!n->same || !n->number) return PARADT_ERROR_MEMORY;
     for (i = 0; i < g->cells; i++) n->same[i] = (paradt_index)i, n->number[i] = -1;
     for (i = 0; i < g->cells * corners; i++) {
-        paradt_index cell = (paradt_index)(i / corners), other = g->mesh.links[i] / (paradt_index)corners, a, b;
+        paradt_index cell = (paradt_index)(i / corners), a, b;
+        paradt_index link = paradt__row_vertices(g, i / corners, g->row_bytes)[corners + i % corners];
+        paradt_index other = link / (paradt_index)corners;
         if (i % ((size_t)1 << 14) == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
-        if (other < cell || (size_t)other >= g->cells ||
+        if (link < 0 || other < cell ||
             paradt__centres_differ(paradt__centre_of(g, cell, g->d), paradt__centre_of(g, other, g->d), g->d) ||
-            !paradt__centres_agree(g, &g->set.space, (paradt_index)i))
+            !paradt__centres_agree(g, &g->set.space, i / corners, (int)(i % corners)))
             continue;
         a = paradt__convex_root(n->same, cell);
         b = paradt__convex_root(n->same, other);
@@ -27720,19 +28017,20 @@ static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__vorono
         for (i = 0; i < count && !status; i++)
             status = paradt__numbering_add(n, work, begin, corners[g->odd && g->d <= 3 ? count - i : i + 1]);
     } else if (g->d == 2) {
-        status = paradt__numbering_add(n, work, begin, g->mesh.links[3 * cell + edge] / 3);
+        status = paradt__numbering_add(n, work, begin, paradt__row_vertices(g, (size_t)cell, g->row_bytes)[3 + edge] / 3);
         if (!status) status = paradt__numbering_add(n, work, begin, cell);
     } else {
-        const paradt_index *vertices = g->mesh.vertices, *links = g->mesh.links;
         const unsigned char *places = paradt__ring_edges[edge];
-        paradt_index at = cell, kept = vertices[4 * cell + places[3]], handle;
+        const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
+        paradt_index at = cell, kept = row[places[3]], handle;
         int cross = places[2];
         do {
             status = paradt__numbering_add(n, work, begin, at);
-            handle = links[4 * at + cross];
+            handle = row[4 + cross];
             at = handle >> 2;
-            cross = paradt__given_place(vertices + 4 * at, kept, 4);
-            kept = vertices[handle];
+            row = paradt__row_vertices(g, (size_t)at, g->row_bytes);
+            cross = paradt__given_place(row, kept, 4);
+            kept = row[handle & 3];
         } while (at != cell && !status);
     }
     if (!status && g->d <= 3 && n->corners.count > begin + 1 &&
@@ -27763,7 +28061,7 @@ static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__vo
 }
 
 // Numbers the vertices, and makes the polygons of all faces.
-static paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, paradt_voronoi *out) {
     paradt__numbering n;
     size_t i;
     paradt_status status;
@@ -27795,13 +28093,13 @@ static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const parad
     const unsigned measures = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS;
     const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
     paradt_status status = paradt__voronoi_read(work, t, points, &out->error_point);
-    size_t i;
     if (!status) status = paradt__voronoi_walls(work, request);
     if (!status) status = paradt__voronoi_scale(work);
     if (status) return status;
     out->unbounded = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
-    if (!out->unbounded) return PARADT_ERROR_MEMORY;
-    memset(out->unbounded, 0, points->count);
+    work->unbounded = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    if (!out->unbounded || !work->unbounded) return PARADT_ERROR_MEMORY;
+    memset(work->unbounded, 0, points->count);
     work->tally.width = work->wants & PARADT_VORONOI_CENTROIDS ? 2 + g->d : 2;
     if (work->wants & measures) {
         size_t bytes = points->count * (size_t)work->tally.width * sizeof(double);
@@ -27810,16 +28108,13 @@ static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const parad
         memset(work->tally.sums, 0, bytes);
     }
     paradt__face_list_begin(&work->list, g->d, work->wants, &work->memory);
-    if (g->k == g->d && g->d <= 3) {
+    if (g->centred) {
         status = paradt__centres_make(g, &team);
         team = paradt__voronoi_team(work, PARADT__VORONOI_FACES);
         if (!status)
             status = paradt__faces_make(g, &team, work->wants, &work->tally, work->wants & faces ? &work->list : NULL);
-    } else {
-        for (i = 0; i < points->count; i++)
-            if (g->kind[i]) g->kind[i] |= PARADT__CELL_CLIPPED;
     }
-    if (!status) status = paradt__voronoi_clip(work, out);
+    if (!status) status = paradt__voronoi_clip(work);
     if (!status) status = paradt__voronoi_cells(work, out);
     if (!status && work->wants & faces) {
         if (work->wants & PARADT_VORONOI_POLYGONS) status = paradt__voronoi_polygons(work, out);
@@ -27861,10 +28156,10 @@ static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voro
     paradt__corner_list_free(&work->corners, &work->memory);
     paradt__release(&work->memory, work->tally.sums);
     paradt__release(&work->memory, work->scaled);
+    paradt__release(&work->memory, work->unbounded);
     paradt__release(&work->memory, work->g.walls);
-    paradt__release(&work->memory, work->g.centres);
+    paradt__release(&work->memory, work->g.rows_block);
     paradt__release(&work->memory, work->g.kind);
-    paradt__mesh_free(&work->g.mesh, &work->memory);
     paradt__set_free(&work->g.set, &work->memory);
     if (status) {
         size_t bad = out->error_point;
