@@ -1453,7 +1453,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     order of insertion           162   rounds along the curve
 //     insertion                    296   dig and star, in any dimension
 //     kept spheres                 528   conflict tests by one product, in space
-//     insertion in space           657   dig and star with kept spheres
+//     insertion in space           658   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
 //     inserting                    211   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
@@ -1500,10 +1500,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
 //     locator                      521   the entry of queries
-//     holes of vertices            503   what fills the hole where a vertex goes
-//     state of a living set        684   columns, journal, hidden and coincident points
-//     changes of a living set      612   one point comes, goes or moves; the set anew
-//     living set                   636   the entry
+//     holes of vertices            738   what fills the hole where a vertex goes
+//     state of a living set        695   columns, journal, hidden and coincident points
+//     changes of a living set      644   one point comes, goes or moves; the set anew
+//     living set                   634   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -9791,7 +9791,7 @@ PARADT__INLINE paradt__sphere *paradt__kept_evict(const paradt__insertion *build
 PARADT__NOINLINE void paradt__kept_remake(const paradt__insertion *build, paradt_index cell) {
     paradt__sphere *sphere = paradt__kept_evict(build, cell);
     paradt__kept_make(build, cell);
-    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__IN_CAVITY;
+    if (build->kept->evicted && build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__IN_CAVITY;
 }
 
 // Returns the sphere of a cell, which is in the table afterwards.
@@ -10619,6 +10619,7 @@ PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, pa
             paradt__fetch_row(build->scene.mesh.vertices, build->scene.mesh.links, (size_t)other, 4);
             PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
             if (vertices[j] >= 0) PARADT__PREFETCH(paradt__scene_record(&build->scene, vertices[j]));
+            PARADT__FETCH(s->number, vertices[j] + 1);
             if (count < CELLS) around[count++] = other;
         }
     }
@@ -11051,7 +11052,7 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
     for (i = 0; i < missing; i += 4) paradt__kept_remake_four(build, cells + i);
-    for (i = 0; i < missing; i++) {
+    for (i = 0; i < missing && s->evicted; i++) { // else no cell has the mark
         paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
         if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
             sphere->tag |= PARADT__IN_CAVITY;
@@ -22434,6 +22435,11 @@ typedef struct paradt__filling {
     paradt__list table; // hash table of openings
     size_t table_mask;
     const double *record[PARADT__MOST_WRAPPED];
+    // in space, while spheres are kept: coordinates relative to v, lifts, and the spheres of the filling's cells
+    double x[4][PARADT__MOST_WRAPPED + 2]; // [3]: the lift
+    paradt__frame frame;
+    paradt__sphere *spheres; // [sphere_capacity]
+    size_t sphere_capacity;
 } paradt__filling;
 
 static void paradt__filling_free(paradt__filling *f, paradt__memory *memory) {
@@ -22443,6 +22449,7 @@ static void paradt__filling_free(paradt__filling *f, paradt__memory *memory) {
     paradt__list_free(&f->numbers, memory);
     paradt__list_free(&f->table, memory);
     paradt__release(memory, f->openings);
+    paradt__release(memory, f->spheres);
 }
 
 // --- the hole
@@ -22735,16 +22742,245 @@ static paradt_status paradt__wrap_cell(paradt__filling *f, size_t opening, int a
     return PARADT_OK;
 }
 
+#if PARADT_MAX_DIM >= 3
+// In space, where spheres are kept, floating point proposes the point and proves that it is right. Among the spheres
+// through a facet the power of a point changes by a multiple of its height over the facet; of all points at a height
+// above 0 the one with the least quotient of power, with regard to the cell behind the facet, and height is proposed.
+// Its sphere is made with a bound on its error, by >>kept spheres, with v for the centre of the box. All is proved if
+// the bound says that the cell is positively oriented, and the powers of all other points exceed it.
+
+// Makes the points' coordinates relative to v.
+static void paradt__wrap_centre(paradt__filling *f, const double *v) {
+    size_t count = f->points.count, padded = (count + 3) & ~(size_t)3, i;
+    int axis;
+    f->frame.square = f->frame.slack = 0.0;
+    for (axis = 0; axis < 3; axis++) {
+        double most = 0.0;
+        for (i = 0; i < count; i++) {
+            f->x[axis][i] = f->record[i][axis] - v[axis];
+            most = paradt__larger(most, paradt__abs(f->x[axis][i]));
+        }
+        for (; i < padded; i++) f->x[axis][i] = f->x[axis][0];
+        f->frame.half[axis] = most * 1.0000002;
+        f->frame.square += f->frame.half[axis] * f->frame.half[axis];
+    }
+    for (i = 0; i < padded; i++)
+        f->x[3][i] = f->x[0][i] * f->x[0][i] + f->x[1][i] * f->x[1][i] + f->x[2][i] * f->x[2][i];
+}
+
+// Makes the sphere of a cell of points.
+static void paradt__wrap_sphere(const paradt__filling *f, const unsigned char *row, paradt__sphere *sphere) {
+    const double *p = f->record[row[3]];
+    paradt__spoke a = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[0]]);
+    paradt__spoke b = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[1]]);
+    paradt__spoke c = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[2]]);
+    paradt__centred centred;
+    int axis;
+    for (axis = 0; axis < 3; axis++) centred.s[axis] = f->x[axis][row[3]];
+    centred.lift = f->x[3][row[3]];
+    paradt__sphere_make(PARADT__MAKE_SHARP, &f->frame, &centred, b.edge, a.edge, c.edge, sphere->normal,
+                        &sphere->constant, &sphere->error);
+}
+
+// The sphere through v and the vertices of a facet, for proposing alone
+static void paradt__wrap_sphere_of_rim(const paradt__filling *f, int p, int q, int r, paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    double qr[3], rp[3], pq[3], det;
+    int i, j, k;
+    for (i = 0; i < 3; i++) {
+        j = (i + 1) % 3;
+        k = (i + 2) % 3;
+        qr[i] = x[j][q] * x[k][r] - x[k][q] * x[j][r];
+        rp[i] = x[j][r] * x[k][p] - x[k][r] * x[j][p];
+        pq[i] = x[j][p] * x[k][q] - x[k][p] * x[j][q];
+    }
+    det = x[0][p] * qr[0] + x[1][p] * qr[1] + x[2][p] * qr[2];
+    for (i = 0; i < 3; i++) sphere->normal[i] = -(x[3][p] * qr[i] + x[3][q] * rp[i] + x[3][r] * pq[i]) / det;
+    sphere->constant = 0.0;
+}
+
+// An open facet's plane: height(x) = normal . x - level, positive on the open side
+typedef struct paradt__wrap_plane {
+    double normal[3], level;
+    double flat; // more than the error of a height: what is not higher is not proposed
+} paradt__wrap_plane;
+
+static void paradt__wrap_plane_of(const paradt__filling *f, const paradt__opening *o, paradt__wrap_plane *plane) {
+    const unsigned char *order = paradt__facet_order[o->place];
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    int p = o->row[order[0]], q = o->row[order[1]], r = o->row[order[2]], i;
+    double ax = x[0][q] - x[0][p], ay = x[1][q] - x[1][p], az = x[2][q] - x[2][p];
+    double bx = x[0][r] - x[0][p], by = x[1][r] - x[1][p], bz = x[2][r] - x[2][p];
+    plane->normal[0] = ay * bz - az * by;
+    plane->normal[1] = az * bx - ax * bz;
+    plane->normal[2] = ax * by - ay * bx;
+    plane->level = plane->flat = 0.0;
+    for (i = 0; i < 3; i++) {
+        plane->level += plane->normal[i] * x[i][p];
+        plane->flat += 1e-13 * paradt__abs(plane->normal[i]) * f->frame.half[i];
+    }
+}
+
+// Two functions have versions for AVX2.
+typedef struct paradt__wrap_kernels {
+    // Proposes the number of a point for an open facet, or PARADT__INFINITE_BIT. sphere: of the cell behind it
+    int (*propose)(const paradt__filling *f, const paradt__wrap_plane *plane, const paradt__sphere *sphere);
+    // Returns the mask of the points whose powers do not exceed the bound on their error.
+    uint64_t (*doubtful)(const paradt__filling *f, const paradt__sphere *sphere);
+} paradt__wrap_kernels;
+
+// The kernel `propose`
+static int paradt__wrap_propose_plain(const paradt__filling *f, const paradt__wrap_plane *plane,
+                                      const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x, *n = plane->normal, *m = sphere->normal;
+    double least = PARADT__NO_ERROR_BOUND;
+    int count = (int)f->points.count, i, best = PARADT__INFINITE_BIT;
+    for (i = 0; i < count; i++) {
+        double height = n[0] * x[0][i] + n[1] * x[1][i] + n[2] * x[2][i] - plane->level;
+        double power = (x[3][i] + sphere->constant) + (m[0] * x[0][i] + m[1] * x[1][i] + m[2] * x[2][i]);
+        if (!(height > plane->flat) || !(power < least * height)) continue;
+        least = power / height;
+        best = i;
+    }
+    return best;
+}
+
+// The kernel `doubtful`
+static uint64_t paradt__wrap_doubtful_plain(const paradt__filling *f, const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x, *m = sphere->normal;
+    uint64_t mask = 0;
+    size_t i;
+    for (i = 0; i < f->points.count; i++) {
+        double power = (x[3][i] + sphere->constant) + (m[0] * x[0][i] + m[1] * x[1][i] + m[2] * x[2][i]);
+        mask |= (uint64_t) !(power > sphere->error) << i;
+    }
+    return mask;
+}
+
+#if defined(PARADT__KEPT_AVX2)
+// The value of an affine function at four points
+PARADT__AVX2 static inline __m256d paradt__wrap_four(const double (*x)[PARADT__MOST_WRAPPED + 2], size_t i,
+                                                     const double *normal, __m256d rest) {
+    rest = _mm256_fmadd_pd(_mm256_set1_pd(normal[2]), _mm256_loadu_pd(x[2] + i), rest);
+    rest = _mm256_fmadd_pd(_mm256_set1_pd(normal[1]), _mm256_loadu_pd(x[1] + i), rest);
+    return _mm256_fmadd_pd(_mm256_set1_pd(normal[0]), _mm256_loadu_pd(x[0] + i), rest);
+}
+
+// The kernel `propose`. The points are padded with the first.
+PARADT__AVX2 static int paradt__wrap_propose_avx2(const paradt__filling *f, const paradt__wrap_plane *plane,
+                                                  const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND), at = _mm256_setr_pd(0.0, 1.0, 2.0, 3.0);
+    __m256d best = _mm256_set1_pd((double)PARADT__INFINITE_BIT), four = _mm256_set1_pd(4.0);
+    double quotients[4], numbers[4];
+    size_t i;
+    int lane, which = 0;
+    for (i = 0; i < f->points.count; i += 4) {
+        __m256d height = paradt__wrap_four(x, i, plane->normal, _mm256_set1_pd(-plane->level));
+        __m256d power = paradt__wrap_four(x, i, sphere->normal,
+                                          _mm256_add_pd(_mm256_loadu_pd(x[3] + i), _mm256_set1_pd(sphere->constant)));
+        __m256d quotient = _mm256_div_pd(power, height);
+        __m256d better = _mm256_and_pd(_mm256_cmp_pd(height, _mm256_set1_pd(plane->flat), _CMP_GT_OQ),
+                                       _mm256_cmp_pd(quotient, least, _CMP_LT_OQ));
+        least = _mm256_blendv_pd(least, quotient, better);
+        best = _mm256_blendv_pd(best, at, better);
+        at = _mm256_add_pd(at, four);
+    }
+    _mm256_storeu_pd(quotients, least);
+    _mm256_storeu_pd(numbers, best);
+    for (lane = 1; lane < 4; lane++) which = quotients[lane] < quotients[which] ? lane : which;
+    if (numbers[which] < (double)f->points.count) return (int)numbers[which];
+    return numbers[which] < (double)PARADT__INFINITE_BIT ? 0 : (int)PARADT__INFINITE_BIT;
+}
+
+// The kernel `doubtful`
+PARADT__AVX2 static uint64_t paradt__wrap_doubtful_avx2(const paradt__filling *f, const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    uint64_t mask = 0;
+    size_t i;
+    for (i = 0; i < f->points.count; i += 4) {
+        __m256d power = paradt__wrap_four(x, i, sphere->normal,
+                                          _mm256_add_pd(_mm256_loadu_pd(x[3] + i), _mm256_set1_pd(sphere->constant)));
+        __m256d doubt = _mm256_cmp_pd(power, _mm256_set1_pd(sphere->error), _CMP_NGT_UQ);
+        mask |= (uint64_t)_mm256_movemask_pd(doubt) << i;
+    }
+    return mask & (((uint64_t)1 << f->points.count) - 1);
+}
+#endif
+
+static paradt__wrap_kernels paradt__choose_wrap_kernels(void) {
+    paradt__wrap_kernels kernels = {paradt__wrap_propose_plain, paradt__wrap_doubtful_plain};
+#if defined(PARADT__KEPT_AVX2)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        kernels.propose = paradt__wrap_propose_avx2;
+        kernels.doubtful = paradt__wrap_doubtful_avx2;
+    }
+#endif
+    return kernels;
+}
+
+// Finds the point for an open facet in space, and makes the sphere of the cell. A vertex of the cell is always in
+// doubt.
+PARADT__INLINE int paradt__wrap_apex_in_space(paradt__filling *f, paradt__scene *scene, const paradt__opening *o,
+                                              const paradt__wrap_kernels *kernels) {
+    const unsigned char *order = paradt__facet_order[o->place];
+    paradt__sphere behind, *sphere = f->spheres + f->count;
+    paradt__wrap_plane plane;
+    unsigned char row[4];
+    int apex, exact;
+    if (o->behind >= 0) behind = f->spheres[o->behind >> 2];
+    else paradt__wrap_sphere_of_rim(f, o->row[order[0]], o->row[order[1]], o->row[order[2]], &behind);
+    paradt__wrap_plane_of(f, o, &plane);
+    apex = kernels->propose(f, &plane, &behind);
+    memcpy(row, o->row, sizeof row);
+    row[o->place] = (unsigned char)apex;
+    if (PARADT__LIKELY(apex != PARADT__INFINITE_BIT)) {
+        uint64_t mask = o->mask | (uint64_t)1 << apex;
+        paradt__wrap_sphere(f, row, sphere);
+        if (PARADT__LIKELY(sphere->error < PARADT__NO_ERROR_BOUND && !(kernels->doubtful(f, sphere) & ~mask)))
+            return apex;
+    }
+    exact = paradt__wrap_apex(f, scene, o);
+    row[o->place] = (unsigned char)exact;
+    if (exact != apex && exact != PARADT__INFINITE_BIT) paradt__wrap_sphere(f, row, sphere);
+    return exact;
+}
+
+// Makes room for the sphere of one more cell.
+static paradt_status paradt__wrap_sphere_room(paradt__filling *f, paradt__memory *memory) {
+    void *spheres = f->spheres;
+    size_t capacity = 2 * f->count + 64;
+    if (PARADT__LIKELY(f->count < f->sphere_capacity)) return PARADT_OK;
+    if (!paradt__grow(memory, &spheres, f->count, capacity, sizeof *f->spheres)) return PARADT_ERROR_MEMORY;
+    f->spheres = (paradt__sphere *)spheres;
+    f->sphere_capacity = capacity;
+    return PARADT_OK;
+}
+#endif
+
 // Fills the hole by wrapping. Facets with the infinite vertex wait until the cells on both sides are there: each ghost
 // stands on a finite facet, which gets it.
-static paradt_status paradt__wrap(paradt__filling *f, paradt__insertion *build) {
+static paradt_status paradt__wrap(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
     paradt__scene *scene = &build->scene;
     size_t at;
+    int apex;
     paradt_status status = paradt__wrap_begin(f, build);
+#if PARADT_MAX_DIM >= 3
+    const paradt__wrap_kernels kernels = paradt__choose_wrap_kernels();
+    if (!status && build->kept) paradt__wrap_centre(f, paradt__scene_record(scene, vertex));
+#endif
+    (void)vertex;
     for (at = 0; at < f->opening_count && !status; at++) {
         if (f->openings[at].closed || f->openings[at].mask >> PARADT__INFINITE_BIT) continue;
-        status =
-            paradt__wrap_cell(f, at, paradt__wrap_apex(f, scene, f->openings + at), scene->mesh.corners, build->memory);
+#if PARADT_MAX_DIM >= 3
+        if (build->kept) status = paradt__wrap_sphere_room(f, build->memory);
+        if (status) break;
+        apex = build->kept ? paradt__wrap_apex_in_space(f, scene, f->openings + at, &kernels)
+                           : paradt__wrap_apex(f, scene, f->openings + at);
+#else
+        apex = paradt__wrap_apex(f, scene, f->openings + at);
+#endif
+        status = paradt__wrap_cell(f, at, apex, scene->mesh.corners, build->memory);
     }
     for (at = 0; at < f->opening_count && !status; at++) PARADT_ASSERT(f->openings[at].closed);
     return status;
@@ -22887,7 +23123,7 @@ static paradt_status paradt__fill_by_insertion(paradt__filling *f, const paradt_
 // Makes the filling of the hole of a vertex, which has been collected; the mesh is left as it is.
 static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
     if (f->points.count > PARADT__MOST_WRAPPED) return paradt__fill_by_insertion(f, build, vertex);
-    return paradt__wrap(f, build);
+    return paradt__wrap(f, build, vertex);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -22962,6 +23198,7 @@ struct paradt_dynamic {
     size_t id_room, position_room, hung_room, alike_mask;
     paradt_index *column[PARADT__COLUMNS]; // NULL: not needed
     paradt__tally now, before;
+    int steps; // the change may replace cells more than once, and marks those that it makes
     // the journal
     paradt__list killed;  // a place and its rows of vertices and links
     paradt__list torn;    // a link and what it was
@@ -23367,6 +23604,12 @@ static paradt_status paradt__living_loosen(paradt_dynamic *d, paradt_index place
     return PARADT_OK;
 }
 
+// Has the cell at a place been made by the change? The marks of a mesh are seldom in a cache, and so not looked at
+// while no cell can have one.
+PARADT__INLINE int paradt__living_is_fresh(const paradt_dynamic *d, paradt_index place) {
+    return d->made.count && d->build.scene.mesh.marks[place] & PARADT__FRESH;
+}
+
 // Is told of a hole, whose cells and rim build->update.killed and build->rim are: makes room for what replaces them,
 // and enters them into the journal. Nothing fails between this and paradt__living_settle.
 static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
@@ -23381,21 +23624,23 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
         status = paradt__living_loosen(d, paradt__mesh_cell(mesh, build->update.killed[i]));
     if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
     if (status) return status;
+    for (i = 0; i < build->update.killed_count; i++) {
+        const paradt_index *vertices = mesh->vertices + paradt__mesh_cell(mesh, build->update.killed[i]) * corners;
+        for (j = 0; j < row; j++) PARADT__FETCH(owner, vertices[j]);
+    }
     for (i = 0; i < build->rim_count; i++) {
         paradt_index inner = build->rim[i], outer = mesh->links[inner];
         paradt_index *torn = d->torn.items + d->torn.count;
         torn[0] = outer;
         torn[1] = inner;
-        d->torn.count +=
-            (mesh->marks[paradt__mesh_cell(mesh, inner)] | mesh->marks[paradt__mesh_cell(mesh, outer)]) & PARADT__FRESH
-                ? 0
-                : 2;
+        if (!paradt__living_is_fresh(d, inner / corners) && !paradt__living_is_fresh(d, outer / corners))
+            d->torn.count += 2;
     }
     for (i = 0; i < build->update.killed_count; i++) {
         paradt_index place = paradt__mesh_cell(mesh, build->update.killed[i]), *to = d->killed.items + d->killed.count;
         int finite = paradt__is_finite_cell(mesh->vertices + place * corners, corners);
         d->now.cells -= (size_t)finite;
-        if (mesh->marks[place] & PARADT__FRESH) {
+        if (paradt__living_is_fresh(d, place)) {
             paradt__mesh_unmark(mesh, (size_t)place, PARADT__FRESH);
             continue;
         }
@@ -23453,7 +23698,7 @@ static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
     for (at = 0; at < update->made_count; at++) {
         paradt_index place = paradt__mesh_cell(mesh, update->made[at]);
         const paradt_index *row = mesh->vertices + place * corners;
-        mesh->marks[place] |= PARADT__FRESH;
+        if (d->steps) mesh->marks[place] |= PARADT__FRESH;
         d->made.items[d->made.count++] = place;
         d->now.cells += (size_t)paradt__is_finite_cell(row, corners);
         for (i = 0; i < corners; i++) {
@@ -23496,7 +23741,9 @@ static int paradt__living_is_sound(paradt_dynamic *d) {
 
 // --- the beginning and the end of a change
 
-static void paradt__living_begin(paradt_dynamic *d) {
+// steps: whether the change may be more than one insertion or removal
+static void paradt__living_begin(paradt_dynamic *d, int steps) {
+    d->steps = steps;
     d->now.places = d->build.scene.mesh.count;
     d->before = d->now;
     d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
@@ -23512,8 +23759,8 @@ static void paradt__living_publish(paradt_dynamic *d) {
     size_t corners = (size_t)mesh->corners, at, made = 0;
     for (at = 0; at < d->made.count; at++) {
         size_t place = (size_t)d->made.items[at];
-        if (!(mesh->marks[place] & PARADT__FRESH)) continue;
-        paradt__mesh_unmark(mesh, place, PARADT__FRESH);
+        if (d->steps && !(mesh->marks[place] & PARADT__FRESH)) continue;
+        if (d->steps) paradt__mesh_unmark(mesh, place, PARADT__FRESH);
         if (paradt__is_finite_cell(mesh->vertices + place * corners, mesh->corners))
             d->made.items[made++] = (paradt_index)place;
     }
@@ -23810,6 +24057,34 @@ static paradt_index paradt__living_start(const paradt_dynamic *d, const double *
     return paradt__living_get(d, PARADT__CELL, position);
 }
 
+// Finds a cell in conflict with a place that is no vertex, by a walk like that of paradt__walk, which ends at the first
+// cell whose sphere has the place inside for certain; or the cell that it is in, for the place may be a vertex. *fresh:
+// it is certain that it is none. In space, while spheres are kept
+static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, const double *record, int *fresh) {
+    paradt__insertion *build = &d->build;
+    paradt__scene *scene = &build->scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt__centred centred = paradt__centred_of(build->kept, record);
+    int i, from = -1;
+    for (*fresh = 1;;) {
+        const paradt_index *row = mesh->vertices + 4 * (size_t)cell;
+        int ghost = paradt__ghost_place(row, 4);
+        if (ghost >= 0) {
+            if (paradt__side(scene, cell, ghost, record) > 0) return cell;
+            i = ghost;
+        } else {
+            const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+            if (paradt__sphere_power(sphere, &centred) < -sphere->error) return cell;
+            for (i = 0; i < 4; i++)
+                if (i != from && paradt__side(scene, cell, i, record) < 0) break;
+            *fresh = i < 4;
+            if (i == 4) return cell;
+        }
+        from = (int)(mesh->links[4 * (size_t)cell + (size_t)i] & 3);
+        cell = mesh->links[4 * (size_t)cell + (size_t)i] >> 2;
+    }
+}
+
 // Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; near: a cell nearby,
 // or negative
 static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record, paradt_index hint,
@@ -23817,6 +24092,7 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     paradt__scene *scene = &d->build.scene;
     paradt_index cell, position;
     paradt_status status;
+    int fresh = 0;
     if (d->dim < 0) return PARADT__GAVE_UP;
     if (d->dim == 0) { // there is one place, the first
         if (memcmp(record, d->records, (size_t)d->ambient * sizeof *record) != 0) return PARADT__GAVE_UP;
@@ -23824,9 +24100,11 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     }
     paradt__living_measure(d, record);
     if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
-    cell = paradt__walk(scene, near < 0 ? paradt__living_start(d, record, hint) : near, record);
+    cell = near < 0 ? paradt__living_start(d, record, hint) : near;
+    if (PARADT_MAX_DIM >= 3 && d->build.kept) cell = paradt__living_reach(d, cell, record, &fresh);
+    else cell = paradt__walk(scene, cell, record);
     paradt__living_start_at(d, cell);
-    position = paradt__living_vertex_at(d, cell, record);
+    position = fresh ? PARADT__NOWHERE : paradt__living_vertex_at(d, cell, record);
     if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
     if (position != PARADT__NOWHERE) return paradt__living_join(d, id, position);
     status = paradt__living_position_room(d, d->now.positions + 1);
@@ -24105,11 +24383,11 @@ static paradt_status paradt__living_find_hidden(paradt_dynamic *d) {
 }
 
 // Makes what a set keeps besides the mesh, which has been built.
-static paradt_status paradt__living_complete(paradt_dynamic *d, paradt__work *work) {
+static paradt_status paradt__living_complete(paradt_dynamic *d) {
+    enum { KEPT_FOR = 512 }; // points: a small table of spheres, as most of them are wanted once
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t hull;
     paradt_status status = PARADT_OK;
-    (void)work;
     d->build.memory = &d->memory;
     d->build.witness = &d->witness;
     d->witness.dug = paradt__living_dug;
@@ -24132,11 +24410,12 @@ static paradt_status paradt__living_complete(paradt_dynamic *d, paradt__work *wo
     if (!status)
         status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
                                    &d->memory);
-    d->build.count = getenv("KC") ? (size_t)atoi(getenv("KC")) : d->build.count;
+    d->build.count = d->now.vertices < KEPT_FOR ? d->now.vertices : (size_t)KEPT_FOR;
     if (!status && PARADT__IS(d->dim, 3)) status = paradt__kept_begin(&d->build);
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
-    if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers)
-        paradt__kept_more_numbers(&d->build, d->now.positions + 1);
+    if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers &&
+        !paradt__kept_more_numbers(&d->build, d->now.positions + 1))
+        status = PARADT_ERROR_MEMORY;
     d->build.count = d->now.vertices;
     return status;
 }
@@ -24180,7 +24459,7 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     d->build.scene.mesh = work.mesh;
     if (!status) status = paradt__living_adopt(d, &work, points, ids, id_count);
     if (!status) status = paradt__living_number(d, out.representative, points->count, ids, id_count);
-    if (!status) status = paradt__living_complete(d, &work);
+    if (!status) status = paradt__living_complete(d);
     paradt__set_free(&work.set, &d->memory);
     paradt__release(&d->memory, out.representative);
     return status;
@@ -24424,10 +24703,7 @@ static paradt_status paradt__change_read(paradt_dynamic *d, paradt__change *chan
 static paradt_status paradt__change_number(paradt_dynamic *d, const paradt__change *change) {
     size_t i, count = d->now.ids + change->count;
     paradt_status status = PARADT_OK;
-    if (change->kind != PARADT__INSERTION) {
-        memcpy(change->number, change->ids, change->count * sizeof *change->number);
-        return PARADT_OK;
-    }
+    if (change->kind != PARADT__INSERTION) return PARADT_OK;
     status = paradt__living_id_room(d, count);
     for (i = 0; i < change->count && !status; i++) change->number[i] = paradt__living_take_id(d);
     return status;
@@ -24492,7 +24768,7 @@ static int paradt__change_is_large(const paradt_dynamic *d, const paradt__change
 // Does a change or makes the set anew, all memory being there.
 static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *change) {
     paradt_status status;
-    paradt__living_begin(d);
+    paradt__living_begin(d, change->count > 1 || change->kind == PARADT__MOTION || d->weighted);
     if (change->kind == PARADT__INSERTION) paradt__living_make_starts(d);
     status = paradt__change_number(d, change);
     if (!status)
@@ -24530,11 +24806,12 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
         status = PARADT_ERROR_MEMORY;
     if (!status && change->kind != PARADT__REMOVAL) status = paradt__change_read(d, change);
     if (!status) {
-        if (change->kind != PARADT__INSERTION) memcpy(change->number, change->ids, count * sizeof *change->number);
+        if (change->kind != PARADT__INSERTION && count)
+            memcpy(change->number, change->ids, count * sizeof *change->number);
         paradt__change_sort(d, change, other);
         status = paradt__change_run(d, change);
     }
-    if (!status && change->new_ids) memcpy(change->new_ids, change->number, count * sizeof *change->number);
+    if (!status && change->new_ids && count) memcpy(change->new_ids, change->number, count * sizeof *change->number);
     paradt__release(memory, change->number);
     paradt__release(memory, change->order);
     paradt__release(memory, other);
