@@ -1420,7 +1420,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
-//     space                        267   what the predicates know of a set
+//     space                        277   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        621   signs in integers
@@ -1492,14 +1492,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
 //     repair                       510   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
-//     location                      83   the face that holds a place, asked from any thread
+//     location                      91   the face that holds a place, asked from any thread
 //     starting cells               275   a vertex near any place
 //     distances                    161   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
-//     locator                      563   the entry of queries
+//     locator                      574   the entry of queries
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -2243,7 +2243,8 @@ static double paradt__now(void) {
 // geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
 // fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__space_admits, paradt__space_widen, paradt__compare, paradt__rounding, paradt__quantum.
+// paradt__space_end, paradt__space_admits, paradt__space_widen, paradt__space_refine,
+// paradt__compare, paradt__rounding, paradt__quantum.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -2471,6 +2472,15 @@ PARADT__OPTIONAL void paradt__space_widen(paradt__space *s) {
         s->low[j] = paradt__ordered_bits(low - side);
         s->high[j] = paradt__ordered_bits(high + side);
     }
+}
+
+// Admits numbers with more digits than those that were measured; before paradt__space_end. Without need that costs some
+// speed: a determinant of numbers with few digits is known to be 0 where it is small.
+PARADT__OPTIONAL void paradt__space_refine(paradt__space *s) {
+    enum { SMALLER = 40 }; // numbers so many bits below the largest have all their digits
+    if (s->coordinates.unit > s->coordinates.top) return; // there are none but 0
+    s->coordinates.bottom = paradt__min(s->coordinates.bottom, s->coordinates.top - SMALLER);
+    s->coordinates.unit = paradt__min(s->coordinates.unit, s->coordinates.top - SMALLER - 53);
 }
 
 // Compares two points lexicographically by the first dim coordinates: -1, 0 or 1.
@@ -20735,23 +20745,31 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
 typedef struct paradt__view {
     paradt__scene scene;           // its space is the view's own
     const paradt__space *measured; // the space of what the view is of
-    int extended;                  // the own space has been extended
+    const paradt__space *wider;    // one that admits more; NULL: there is none
+    int extended;                  // the own space has been extended beyond both
 } paradt__view;
 
+// Begins a view. After that its owner may set `wider`.
 PARADT__OPTIONAL void paradt__view_begin(paradt__view *view, const paradt__scene *scene) {
     view->scene = *scene;
     view->measured = &scene->space;
+    view->wider = NULL;
     view->extended = 0;
 }
 
 // Makes the predicates ready for two more points, or for one twice; not for those admitted before any more.
 PARADT__NOINLINE void paradt__view_extend(paradt__view *view, const double *x, const double *y) {
+    const paradt__space *bases[2] = {view->measured, view->wider};
     paradt__space *space = &view->scene.space;
     paradt__counters counters = space->counters;
     double record[PARADT_MAX_DIM + 1];
-    *space = *view->measured;
+    int i;
+    view->extended = 1;
+    for (i = 0; i < 2 && view->extended && bases[i]; i++) {
+        *space = *bases[i];
+        view->extended = !(paradt__space_admits(space, x) && paradt__space_admits(space, y));
+    }
     space->counters = counters;
-    view->extended = !(paradt__space_admits(space, x) && paradt__space_admits(space, y));
     if (!view->extended) return;
     record[space->ambient] = 0;
     memcpy(record, x, (size_t)space->ambient * sizeof *x);
@@ -21924,6 +21942,7 @@ struct paradt_locator {
     paradt__memory memory;
     paradt__set set;            // the vertices
     paradt__scene scene;        // cells first, then ghosts; dim -1: there are none
+    paradt__space wider;        // that of the scene, for numbers with more digits
     size_t point_count;         // of the caller's points
     paradt_index *position;     // [point_count] of each point's vertex, or -1
     paradt_index *cell_of;      // [set.count] a cell of each vertex
@@ -22027,13 +22046,23 @@ static void paradt__locating_scene(paradt__locating *work) {
     scene->space = set->space;
     scene->space.dim = work->t->dim;
     paradt__space_widen(&scene->space);
-    if (work->t->dim > 0) paradt__space_end(&scene->space);
+    locator->wider = scene->space;
+    paradt__space_refine(&locator->wider);
+    if (work->t->dim > 0) {
+        paradt__space_end(&scene->space);
+        paradt__space_end(&locator->wider);
+    }
     scene->records = set->records;
     scene->width = set->width;
     for (i = 0; i < set->count && scene->space.weighted; i++) {
         double weight = set->records[i * set->width + (size_t)scene->space.ambient];
         if (!i || weight < locator->least) locator->least = weight;
     }
+}
+
+static void paradt__locator_view(const paradt_locator *locator, paradt__view *view) {
+    paradt__view_begin(view, &locator->scene);
+    view->wider = &locator->wider;
 }
 
 // Finds for each bucket the cell that its centre is in, or is seen from. From one to the next, which are neighbours.
@@ -22046,7 +22075,7 @@ static paradt_status paradt__locating_centres(paradt__locating *work) {
     locator->cell_at =
         (paradt_index *)paradt__alloc_filled(&locator->memory, starts->bucket_count, sizeof *locator->cell_at);
     if (!locator->cell_at) return PARADT_ERROR_MEMORY;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     for (grid = 0; grid < starts->grid_count; grid++) {
         for (i = 0; i < (size_t)1 << starts->grids[grid].all; i++) {
             double centre[PARADT_MAX_DIM];
@@ -22213,7 +22242,7 @@ PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, cons
     double own[PARADT_MAX_DIM];
     paradt_index cell;
     if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return none;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     paradt__view_admit(&view, own);
     cell = paradt__locator_start(locator, own, hint);
     return paradt__locator_at(&view, &cell, own);
@@ -22224,7 +22253,7 @@ static paradt_index paradt__locator_nearest(const paradt_locator *locator, parad
                                             paradt_index hint) {
     paradt_index vertex = paradt__locator_hint(locator, hint);
     size_t bucket;
-    paradt__view_begin(view, &locator->scene);
+    paradt__locator_view(locator, view);
     paradt__view_admit(view, x);
     if (vertex < 0) vertex = paradt__starts_at(&locator->starts, x, &bucket);
     return paradt__descend(&view->scene, &locator->neighbors, x, vertex);
@@ -22305,7 +22334,7 @@ static paradt_status paradt__locator_along(const paradt_locator *locator, paradt
     const paradt__space *space = &locator->scene.space;
     paradt_index from = paradt__locator_start(locator, a, -1);
     paradt__view view;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     if (space->dim < space->ambient) {
         if (paradt__is_off_flat(&view, from, a) || paradt__is_off_flat(&view, from, b)) return PARADT_OK;
         if (!space->dim) return paradt__list_append(&scratch->found, from, &scratch->memory);
@@ -22355,7 +22384,7 @@ static void paradt__ask_task(void *context, size_t task) {
     size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, bucket, last = SIZE_MAX;
     paradt_index vertex = -1, cell = -1;
     paradt__view view;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     for (; i < end; i++) {
         const double *x = set->records + i * set->width;
         paradt_index start = paradt__starts_at(&locator->starts, x, &bucket);
