@@ -1420,7 +1420,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
-//     space                        267   what the predicates know of a set
+//     space                        277   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        621   signs in integers
@@ -1437,7 +1437,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   mesh
 //     mesh                         695   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        129   conflict test, walk, update
+//     scene                        185   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
@@ -1492,8 +1492,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
 //     repair                       510   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
-//     location                      83   the face that holds a place, asked from any thread
-//     starting cells               253   a vertex near any place
+//     location                      91   the face that holds a place, asked from any thread
+//     starting cells               275   a vertex near any place
 //     distances                    161   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
@@ -2247,7 +2247,8 @@ static double paradt__now(void) {
 // geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
 // fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__space_admits, paradt__space_widen, paradt__compare, paradt__rounding, paradt__quantum.
+// paradt__space_end, paradt__space_admits, paradt__space_widen, paradt__space_refine,
+// paradt__compare, paradt__rounding, paradt__quantum.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -2475,6 +2476,15 @@ PARADT__OPTIONAL void paradt__space_widen(paradt__space *s) {
         s->low[j] = paradt__ordered_bits(low - side);
         s->high[j] = paradt__ordered_bits(high + side);
     }
+}
+
+// Admits numbers with more digits than those that were measured; before paradt__space_end. Without need that costs some
+// speed: a determinant of numbers with few digits is known to be 0 where it is small.
+PARADT__OPTIONAL void paradt__space_refine(paradt__space *s) {
+    enum { SMALLER = 40 }; // numbers so many bits below the largest have all their digits
+    if (s->coordinates.unit > s->coordinates.top) return; // there are none but 0
+    s->coordinates.bottom = paradt__min(s->coordinates.bottom, s->coordinates.top - SMALLER);
+    s->coordinates.unit = paradt__min(s->coordinates.unit, s->coordinates.top - SMALLER - 53);
 }
 
 // Compares two points lexicographically by the first dim coordinates: -1, 0 or 1.
@@ -6447,36 +6457,92 @@ static int paradt__conflicts(paradt__scene *scene, paradt_index cell, const doub
     return paradt__conflict(&scene->space, p);
 }
 
+// The sides of all facets of a cell in space that x is on, at once. values: [4] determinants, each within the space's
+// bound of the true one; positive: x is on the side of the vertex opposite
+PARADT__INLINE void paradt__sides_in_space(const paradt__scene *scene, const paradt_index *row, const double *x,
+                                           double *values) {
+    double d[4][3], m01, m02, m03, m12, m13, m23;
+    int i, axis;
+    for (i = 0; i < 4; i++) {
+        const double *p = paradt__scene_record(scene, row[i]);
+        for (axis = 0; axis < 3; axis++) d[i][axis] = p[axis] - x[axis];
+    }
+    m01 = d[0][0] * d[1][1] - d[0][1] * d[1][0];
+    m02 = d[0][0] * d[2][1] - d[0][1] * d[2][0];
+    m03 = d[0][0] * d[3][1] - d[0][1] * d[3][0];
+    m12 = d[1][0] * d[2][1] - d[1][1] * d[2][0];
+    m13 = d[1][0] * d[3][1] - d[1][1] * d[3][0];
+    m23 = d[2][0] * d[3][1] - d[2][1] * d[3][0];
+    values[0] = m23 * d[1][2] - m13 * d[2][2] + m12 * d[3][2];
+    values[1] = m03 * d[2][2] - m23 * d[0][2] - m02 * d[3][2];
+    values[2] = m13 * d[0][2] - m03 * d[1][2] + m01 * d[3][2];
+    values[3] = m02 * d[1][2] - m12 * d[0][2] - m01 * d[2][2];
+}
+
+// The facet of a cell that a walk crosses to get to x; -1: x is in the cell, and *inside has a bit for each vertex with
+// x strictly on its side of the facet opposite. from: the facet it came through; -1: none. In space it is the facet
+// that has x farthest beyond it, as parts of the cell's heights.
+PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell, const double *x, int from,
+                                         unsigned *inside, int corners) {
+    const paradt_index *row = scene->mesh.vertices + (size_t)cell * (size_t)corners;
+    const paradt__space *space = &scene->space;
+    double values[4];
+    unsigned known = from >= 0 ? 1u << from : 0, positive = known;
+    int i;
+    if (PARADT__IS(corners, 4) && space->bounded) {
+        double least = -space->orient[3].certain;
+        int facet = -1;
+        paradt__sides_in_space(scene, row, x, values);
+        for (i = 0; i < 4; i++) {
+            double value = i == from ? 0.0 : values[i];
+            facet = value < least ? i : facet;
+            least = value < least ? value : least;
+        }
+        if (PARADT__LIKELY(facet >= 0)) return facet;
+        for (i = 0; i < 4; i++) positive |= (unsigned)(values[i] > space->orient[3].certain) << i;
+        known |= positive;
+    }
+    for (i = 0; i < corners && known != (2u << (corners - 1)) - 1; i++) {
+        int side;
+        if (known >> i & 1) continue;
+        side = paradt__side(scene, cell, i, x);
+        if (side < 0) return i;
+        positive |= (unsigned)side << i;
+    }
+    *inside = positive;
+    return -1;
+}
+
 // Walks from a cell or ghost to the cell that contains x, or to a ghost whose hull facet has x strictly beyond it. A
 // visibility walk: it crosses any facet that has x on its other side. In a regular triangulation it ends whichever it
 // takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990). *inside: a
 // bit for each vertex of the cell with x strictly on the vertex's side of the facet opposite; of a ghost 0. Returns
 // PARADT__OPEN after `steps` steps: so many take to end only walks in what is no regular triangulation.
-PARADT__INLINE paradt_index paradt__walk_any(paradt__scene *scene, paradt_index cell, const double *x, size_t steps,
-                                             unsigned *inside) {
+PARADT__INLINE paradt_index paradt__walk_by(paradt__scene *scene, paradt_index cell, const double *x, size_t steps,
+                                            unsigned *inside, int corners) {
     const paradt__mesh *mesh = &scene->mesh;
-    int corners = mesh->corners, i, from = -1;
+    int i, from = -1;
     for (; steps; steps--) {
-        size_t base = (size_t)cell * (size_t)corners;
-        int ghost = paradt__ghost_place(mesh->vertices + base, corners);
-        PARADT_ASSERT(mesh->vertices[base] != PARADT__DEAD);
+        const paradt_index *links = mesh->links + (size_t)cell * (size_t)corners;
+        int ghost = paradt__ghost_place(mesh->vertices + (size_t)cell * (size_t)corners, corners), facet = ghost;
+        PARADT_ASSERT(mesh->vertices[(size_t)cell * (size_t)corners] != PARADT__DEAD);
+        for (i = 0; i < corners && PARADT__IS(corners, 4); i++) // there it goes on, most probably
+            paradt__fetch_row(mesh->vertices, mesh->links, (size_t)links[i] / 4, 4);
         *inside = 0;
-        if (ghost >= 0) {
-            if (from == ghost || paradt__side(scene, cell, ghost, x) > 0) return cell;
-            i = ghost;
-        } else {
-            if (from >= 0) *inside = 1u << from;
-            for (i = 0; i < corners; i++) {
-                int side = i != from ? paradt__side(scene, cell, i, x) : 0;
-                if (side < 0) break;
-                *inside |= (unsigned)side << i;
-            }
-            if (i == corners) return cell;
-        }
-        from = (int)(mesh->links[base + (size_t)i] % corners);
-        cell = paradt__mesh_cell(mesh, mesh->links[base + (size_t)i]);
+        if (ghost < 0) facet = paradt__facet_towards(scene, cell, x, from, inside, corners);
+        else if (from == ghost || paradt__side(scene, cell, ghost, x) > 0) return cell;
+        if (facet < 0) return cell;
+        from = (int)(links[facet] % corners);
+        cell = links[facet] / corners;
     }
     return PARADT__OPEN;
+}
+
+static paradt_index paradt__walk_any(paradt__scene *scene, paradt_index cell, const double *x, size_t steps,
+                                     unsigned *inside) {
+    if (PARADT__IS(scene->mesh.corners, 4)) return paradt__walk_by(scene, cell, x, steps, inside, 4);
+    if (scene->mesh.corners == 3) return paradt__walk_by(scene, cell, x, steps, inside, 3);
+    return paradt__walk_by(scene, cell, x, steps, inside, scene->mesh.corners);
 }
 
 static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const double *x) {
@@ -20716,23 +20782,31 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
 typedef struct paradt__view {
     paradt__scene scene;           // its space is the view's own
     const paradt__space *measured; // the space of what the view is of
-    int extended;                  // the own space has been extended
+    const paradt__space *wider;    // one that admits more; NULL: there is none
+    int extended;                  // the own space has been extended beyond both
 } paradt__view;
 
+// Begins a view. After that its owner may set `wider`.
 PARADT__OPTIONAL void paradt__view_begin(paradt__view *view, const paradt__scene *scene) {
     view->scene = *scene;
     view->measured = &scene->space;
+    view->wider = NULL;
     view->extended = 0;
 }
 
 // Makes the predicates ready for two more points, or for one twice; not for those admitted before any more.
 PARADT__NOINLINE void paradt__view_extend(paradt__view *view, const double *x, const double *y) {
+    const paradt__space *bases[2] = {view->measured, view->wider};
     paradt__space *space = &view->scene.space;
     paradt__counters counters = space->counters;
     double record[PARADT_MAX_DIM + 1];
-    *space = *view->measured;
+    int i;
+    view->extended = 1;
+    for (i = 0; i < 2 && view->extended && bases[i]; i++) {
+        *space = *bases[i];
+        view->extended = !(paradt__space_admits(space, x) && paradt__space_admits(space, y));
+    }
     space->counters = counters;
-    view->extended = !(paradt__space_admits(space, x) && paradt__space_admits(space, y));
     if (!view->extended) return;
     record[space->ambient] = 0;
     memcpy(record, x, (size_t)space->ambient * sizeof *x);
@@ -20797,7 +20871,8 @@ PARADT__OPTIONAL paradt_index paradt__place_in(paradt__view *view, paradt_index 
 // A bucket may be told of another vertex at any time. It is a hint and no more: whoever removes a vertex has the bucket
 // name another. After many more points have come the grids are to be made anew. Places outside of the box have the
 // buckets at its border.
-// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_put, paradt__starts_replace, paradt__starts_free.
+// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_centre, paradt__starts_put, paradt__starts_replace,
+// paradt__starts_free.
 
 enum {
     PARADT__START_POINTS = 2,  // a bucket, on average
@@ -20814,6 +20889,7 @@ typedef struct paradt__start_grid {
     unsigned char bits[PARADT_MAX_DIM]; // the last axis varies fastest
     unsigned char all;                  // sum of the bits
     uint16_t above[PARADT_MAX_DIM];     // bits of the grids around it
+    double corner[PARADT_MAX_DIM];      // its lower one, as a part of the box
 } paradt__start_grid;
 
 typedef struct paradt__starts {
@@ -20883,14 +20959,33 @@ PARADT__OPTIONAL void paradt__starts_replace(paradt__starts *starts, const doubl
     if (paradt__starts_at(starts, x, &bucket) == vertex && starts->grid_count) starts->buckets[bucket] = other;
 }
 
-// Adds a grid for so many points, without vertices. outer: the number of the grid that it is in; -1: none
-static paradt_status paradt__starts_add(paradt__starts *starts, size_t points, ptrdiff_t outer,
+// Fills the corner of bucket i of a grid, as a part of the box; centre: 0.5 for the bucket's centre, else 0
+static void paradt__starts_corner(const paradt__starts *starts, const paradt__start_grid *grid, size_t i, double centre,
+                                  double *corner) {
+    int axis;
+    for (axis = starts->dim - 1; axis >= 0; i >>= grid->bits[axis--])
+        corner[axis] = grid->corner[axis] + ((double)(i & (((size_t)1 << grid->bits[axis]) - 1)) + centre) *
+                                                paradt__power(-grid->above[axis] - grid->bits[axis]);
+}
+
+// Fills the centre of bucket i of a grid.
+PARADT__OPTIONAL void paradt__starts_centre(const paradt__starts *starts, const paradt__start_grid *grid, size_t i,
+                                            double *centre) {
+    int axis;
+    paradt__starts_corner(starts, grid, i, 0.5, centre);
+    for (axis = 0; axis < starts->dim; axis++)
+        centre[axis] = starts->low[axis] + starts->side[axis] * centre[axis] + starts->side[axis] * centre[axis];
+}
+
+// Adds a grid for so many points, without vertices. outer: the number of the grid in bucket i of which it is; -1: none
+static paradt_status paradt__starts_add(paradt__starts *starts, size_t points, ptrdiff_t outer, size_t i,
                                         paradt__memory *memory) {
     paradt__start_grid grid;
     double side[PARADT_MAX_DIM];
     paradt_status status;
     int bits = paradt__bit_length(points / PARADT__START_POINTS), axis, longest;
     memset(&grid, 0, sizeof grid);
+    if (outer >= 0) paradt__starts_corner(starts, starts->grids + outer, i, 0, grid.corner);
     for (axis = 0; axis < starts->dim; axis++) {
         if (outer >= 0)
             grid.above[axis] = (uint16_t)(starts->grids[outer].above[axis] + starts->grids[outer].bits[axis]);
@@ -20943,7 +21038,8 @@ static paradt_status paradt__starts_divide(paradt__starts *starts, size_t grid, 
         for (; bucket < last; bucket++) {
             paradt_status status;
             if (crowds[bucket - from] <= PARADT__START_CROWD) continue;
-            status = paradt__starts_add(starts, (size_t)crowds[bucket - from], (ptrdiff_t)grid, memory);
+            status = paradt__starts_add(starts, (size_t)crowds[bucket - from], (ptrdiff_t)grid,
+                                        bucket - starts->grids[grid].first, memory);
             if (status) return status;
             starts->buckets[bucket] = PARADT__START_GRID - (paradt_index)(starts->grid_count - 1);
         }
@@ -20955,7 +21051,7 @@ static paradt_status paradt__starts_divide(paradt__starts *starts, size_t grid, 
 static paradt_status paradt__starts_refine(paradt__starts *starts, const paradt__start_points *points,
                                            paradt__memory *memory, paradt__meter *meter) {
     size_t grid = 0, from, i;
-    paradt_status status = paradt__starts_add(starts, points->count, -1, memory);
+    paradt_status status = paradt__starts_add(starts, points->count, -1, 0, memory);
     int level;
     for (level = 1; level <= PARADT__START_LEVELS && !status && grid < starts->grid_count; level++) {
         size_t before = starts->grid_count;
@@ -21858,7 +21954,7 @@ static paradt_status paradt__along(paradt__view *view, paradt_index from, const 
     ray.steps = 2 * mesh->count;
     if (inside) paradt__ray_set_face(&ray, paradt__mesh_row(mesh, cell), mesh->corners, inside);
     else cell = paradt__ray_approach(&ray, cell);
-    while (cell >= 0 && !status) {
+    for (; cell >= 0 && !status && ray.steps; ray.steps--) {
         cell = paradt__ray_enter(&ray, cell);
         if (cell < 0) break;
         status = paradt__list_append(cells, cell, memory);
@@ -21882,10 +21978,12 @@ static paradt_status paradt__along(paradt__view *view, paradt_index from, const 
 struct paradt_locator {
     paradt__memory memory;
     paradt__set set;            // the vertices
-    paradt__scene scene;        // cells are numbers; dim -1: there are none
+    paradt__scene scene;        // cells first, then ghosts; dim -1: there are none
+    paradt__space wider;        // that of the scene, for numbers with more digits
     size_t point_count;         // of the caller's points
     paradt_index *position;     // [point_count] of each point's vertex, or -1
     paradt_index *cell_of;      // [set.count] a cell of each vertex
+    paradt_index *cell_at;      // [starts.bucket_count] a cell at the centre of each bucket
     paradt__relation neighbors; // of each vertex
     paradt__starts starts;      // vertices
     double least;               // the least weight
@@ -21897,6 +21995,7 @@ static void paradt__locator_release(paradt_locator *locator) {
     paradt__mesh_free(&locator->scene.mesh, &memory);
     paradt__release(&memory, locator->position);
     paradt__release(&memory, locator->cell_of);
+    paradt__release(&memory, locator->cell_at);
     paradt__relation_free(&locator->neighbors, &memory);
     paradt__starts_free(&locator->starts, &memory);
     paradt__release(&memory, locator);
@@ -21971,50 +22070,89 @@ static paradt_status paradt__locating_sort(paradt__locating *work) {
     return PARADT_OK;
 }
 
-// Makes the scene: the mesh has the caller's indices so far.
-static paradt_status paradt__locating_scene(paradt__locating *work) {
+// Makes vertices of the mesh, which are the caller's indices so far, positions; and the space of the scene.
+static void paradt__locating_scene(paradt__locating *work) {
     paradt_locator *locator = work->locator;
     paradt__scene *scene = &locator->scene;
     paradt__mesh *mesh = &scene->mesh;
     const paradt__set *set = &locator->set;
     size_t corners = (size_t)mesh->corners, i;
-    locator->cell_of = (paradt_index *)paradt__alloc_filled(&locator->memory, set->count, sizeof *locator->cell_of);
-    if (!locator->cell_of) return PARADT_ERROR_MEMORY;
     for (i = 0; i < mesh->count * corners; i++) {
         if (mesh->vertices[i] >= 0) mesh->vertices[i] = locator->position[mesh->vertices[i]];
     }
-    for (i = 0; i < work->t->cell_count * corners; i++)
-        locator->cell_of[mesh->vertices[i]] = (paradt_index)(i / corners);
     scene->space = set->space;
     scene->space.dim = work->t->dim;
     paradt__space_widen(&scene->space);
-    if (work->t->dim > 0) paradt__space_end(&scene->space);
+    locator->wider = scene->space;
+    paradt__space_refine(&locator->wider);
+    if (work->t->dim > 0) {
+        paradt__space_end(&scene->space);
+        paradt__space_end(&locator->wider);
+    }
     scene->records = set->records;
     scene->width = set->width;
     for (i = 0; i < set->count && scene->space.weighted; i++) {
         double weight = set->records[i * set->width + (size_t)scene->space.ambient];
         if (!i || weight < locator->least) locator->least = weight;
     }
+}
+
+static void paradt__locator_view(const paradt_locator *locator, paradt__view *view) {
+    paradt__view_begin(view, &locator->scene);
+    view->wider = &locator->wider;
+}
+
+// Finds for each bucket the cell that its centre is in, or is seen from. From one to the next, which are neighbours.
+static paradt_status paradt__locating_centres(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    const paradt__starts *starts = &locator->starts;
+    paradt_index place = 0;
+    paradt__view view;
+    size_t grid, i;
+    locator->cell_at =
+        (paradt_index *)paradt__alloc_filled(&locator->memory, starts->bucket_count, sizeof *locator->cell_at);
+    if (!locator->cell_at) return PARADT_ERROR_MEMORY;
+    paradt__locator_view(locator, &view);
+    for (grid = 0; grid < starts->grid_count; grid++) {
+        for (i = 0; i < (size_t)1 << starts->grids[grid].all; i++) {
+            double centre[PARADT_MAX_DIM];
+            unsigned inside;
+            paradt_index found;
+            if (i % PARADT__PACE == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
+            paradt__starts_centre(starts, starts->grids + grid, i, centre);
+            paradt__view_admit(&view, centre);
+            found = paradt__place_in(&view, place, centre, &inside);
+            place = found < 0 ? 0 : found;
+            locator->cell_at[starts->grids[grid].first + i] = place;
+        }
+    }
     return PARADT_OK;
 }
 
-// Makes what searches start from.
+// Makes what searches go by.
 static paradt_status paradt__locating_help(paradt__locating *work) {
     paradt_locator *locator = work->locator;
     const paradt__set *set = &locator->set;
     const paradt__mesh *mesh = &locator->scene.mesh;
     paradt__start_points points = {set->records, set->width, set->count, NULL};
     paradt__relation cells;
-    paradt_status status =
-        paradt__starts_make(&locator->starts, &points, set->space.ambient, &locator->memory, &work->meter);
+    paradt_status status;
+    size_t i;
     memset(&cells, 0, sizeof cells);
+    status = paradt__starts_make(&locator->starts, &points, set->space.ambient, &locator->memory, &work->meter);
     if (!status)
         status = paradt__relation_of_cells(&cells, mesh->vertices, work->t->cell_count, mesh->corners, set->count,
                                            &locator->memory);
     if (!status)
         status = paradt__relation_of_neighbors(&locator->neighbors, &cells, mesh->vertices, mesh->corners, set->count,
                                                &locator->memory, &work->meter);
+    if (!status) {
+        locator->cell_of = (paradt_index *)paradt__alloc(&locator->memory, set->count, sizeof *locator->cell_of);
+        if (!locator->cell_of) status = PARADT_ERROR_MEMORY;
+        for (i = 0; i < set->count && !status; i++) locator->cell_of[i] = cells.items[cells.first[i]];
+    }
     paradt__relation_free(&cells, &locator->memory);
+    if (!status) status = paradt__locating_centres(work);
     return status;
 }
 
@@ -22049,7 +22187,7 @@ static paradt_status paradt__locating_make(paradt__locating *work, const paradt_
     paradt__set_free(&work->given, memory);
     paradt__release(memory, work->index);
     paradt__release(memory, work->representative);
-    if (!status) status = paradt__locating_scene(work);
+    if (!status) paradt__locating_scene(work);
     if (!status) status = paradt__locating_help(work);
     if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     return status;
@@ -22110,20 +22248,28 @@ static int paradt__locator_take(const paradt_locator *locator, const double *x, 
     return finite;
 }
 
-// The vertex at which a search for a place begins. hint: the caller's index of one, or -1
-static paradt_index paradt__locator_start(const paradt_locator *locator, const double *x, paradt_index hint) {
-    size_t bucket;
-    if (hint >= 0 && (size_t)hint < locator->point_count && locator->position[hint] >= 0)
-        return locator->position[hint];
-    return paradt__starts_at(&locator->starts, x, &bucket);
+// The position of the vertex that a hint names; -1: none
+static paradt_index paradt__locator_hint(const paradt_locator *locator, paradt_index hint) {
+    return hint >= 0 && (size_t)hint < locator->point_count ? locator->position[hint] : -1;
 }
 
+// The cell at which a search for a place begins
+static paradt_index paradt__locator_start(const paradt_locator *locator, const double *x, paradt_index hint) {
+    paradt_index vertex = paradt__locator_hint(locator, hint);
+    size_t bucket;
+    if (vertex >= 0) return locator->cell_of[vertex];
+    paradt__starts_at(&locator->starts, x, &bucket);
+    return locator->cell_at[bucket];
+}
+
+// *cell: a place to begin at; then that of the cell found
 static paradt_location paradt__locator_at(paradt__view *view, paradt_index *cell, const double *x) {
-    paradt_location location;
-    location.face = 0;
-    location.cell = paradt__place_in(view, *cell, x, &location.face);
-    if (location.cell >= 0) *cell = location.cell;
-    else location.cell = -1, location.face = 0;
+    paradt_location location = {-1, 0};
+    unsigned face;
+    paradt_index place = paradt__place_in(view, *cell, x, &face);
+    if (place < 0) return location;
+    *cell = location.cell = place;
+    location.face = face;
     return location;
 }
 
@@ -22133,18 +22279,21 @@ PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, cons
     double own[PARADT_MAX_DIM];
     paradt_index cell;
     if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return none;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     paradt__view_admit(&view, own);
-    cell = locator->cell_of[paradt__locator_start(locator, own, hint)];
+    cell = paradt__locator_start(locator, own, hint);
     return paradt__locator_at(&view, &cell, own);
 }
 
 // The nearest vertex to a place that has been taken over; its position
 static paradt_index paradt__locator_nearest(const paradt_locator *locator, paradt__view *view, const double *x,
                                             paradt_index hint) {
-    paradt__view_begin(view, &locator->scene);
+    paradt_index vertex = paradt__locator_hint(locator, hint);
+    size_t bucket;
+    paradt__locator_view(locator, view);
     paradt__view_admit(view, x);
-    return paradt__descend(&view->scene, &locator->neighbors, x, paradt__locator_start(locator, x, hint));
+    if (vertex < 0) vertex = paradt__starts_at(&locator->starts, x, &bucket);
+    return paradt__descend(&view->scene, &locator->neighbors, x, vertex);
 }
 
 PARADT_DEF paradt_index paradt_nearest_one(const paradt_locator *locator, const double *x, paradt_index hint) {
@@ -22220,9 +22369,9 @@ PARADT_DEF paradt_status paradt_within(const paradt_locator *locator, const doub
 static paradt_status paradt__locator_along(const paradt_locator *locator, paradt__scratch *scratch, const double *a,
                                            const double *b) {
     const paradt__space *space = &locator->scene.space;
-    paradt_index from = locator->cell_of[paradt__locator_start(locator, a, -1)];
+    paradt_index from = paradt__locator_start(locator, a, -1);
     paradt__view view;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     if (space->dim < space->ambient) {
         if (paradt__is_off_flat(&view, from, a) || paradt__is_off_flat(&view, from, b)) return PARADT_OK;
         if (!space->dim) return paradt__list_append(&scratch->found, from, &scratch->memory);
@@ -22272,7 +22421,7 @@ static void paradt__ask_task(void *context, size_t task) {
     size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, bucket, last = SIZE_MAX;
     paradt_index vertex = -1, cell = -1;
     paradt__view view;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     for (; i < end; i++) {
         const double *x = set->records + i * set->width;
         paradt_index start = paradt__starts_at(&locator->starts, x, &bucket);
@@ -22281,7 +22430,7 @@ static void paradt__ask_task(void *context, size_t task) {
             return;
         paradt__view_admit(&view, x);
         if (asking->locations) {
-            if (bucket != last) cell = locator->cell_of[start];
+            if (bucket != last) cell = locator->cell_at[bucket];
             asking->locations[set->origin[i]] = paradt__locator_at(&view, &cell, x);
         } else {
             if (bucket != last) vertex = start;
