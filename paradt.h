@@ -1423,7 +1423,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     space                        235   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        621   signs in integers
+//     exact                        622   signs in integers
 //     signs                        244   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
@@ -1451,7 +1451,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    286   dig and star, in any dimension
+//     insertion                    287   dig and star, in any dimension
 //     kept spheres                 508   conflict tests by one product, in space
 //     insertion in space           656   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
@@ -1482,7 +1482,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     methods                      295   one row a method; AUTO's choice
 //     triangulate                  380   the entry
 //   use
-//     minors                        65   determinants with bounds, in floating point
+//     minors                        67   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         270   the entry
@@ -1491,7 +1491,16 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     mending by holes             444   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
 //     repair                       510   the entry of repairing
-//     measures of a cell           666   spheres and volumes, rounded once
+//     measures of a cell           669   spheres and volumes, rounded once
+//     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
+//     diagram order                134   points and cells in the order of space
+//     Voronoi vertices             157   centres of cells, and their errors
+//     Voronoi faces                488   faces and volumes that nothing clips
+//     planes of a cell             329   where planes meet, in integers
+//     clipped cell                 550   a cell as planes and vertices, in any dimension
+//     measures of a clipped cell   252   volumes, areas, centroids
+//     clipping                     470   all cells that walls or infinity clip
+//     Voronoi                      628   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -2783,7 +2792,8 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
 // is the square of that unit, or less if the weights need it.
 // Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere; for numbers instead of signs
-// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference.
+// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference; for determinants of
+// other rows paradt__mantissa, paradt__fix, paradt__small_sign, paradt__next_subset.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
 static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
@@ -3403,7 +3413,7 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
 // into the space, and the cell of an in-sphere test must be positively oriented.
 // The ties are broken as by Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
 // CGTA 44, 2011. The public predicates measure the points of each call.
-// Doors: paradt__orient, paradt__perturbed, paradt__conflict.
+// Doors: paradt__orient, paradt__insphere, paradt__perturbed, paradt__conflict.
 
 // Was the set measured, up to the end, and are the dimensions among those measured?
 PARADT__INLINE int paradt__space_is_ready(const paradt__space *s) {
@@ -9099,7 +9109,8 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
 // Between two insertions `scene` is as >>scene says, no cell has the marks PARADT__CONFLICT and PARADT__OUTSIDE, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
 // Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
-// paradt__insertion_first_cells, paradt__cavity_star, paradt__cavity_clear, paradt__insert, paradt__insert_at.
+// paradt__insertion_first_cells, paradt__cavity_star, paradt__cavity_fill, paradt__cavity_join, paradt__cavity_clear,
+// paradt__insert, paradt__insert_at.
 
 struct paradt__kept; // see >>kept spheres
 
@@ -18397,8 +18408,8 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 // The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
 // that links back, where both have a vertex of their own, and that the hull has a neighbour across each of its ridges.
 // No coordinate is asked for that: cells may be turned over.
-// Doors: paradt__given_read, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts, paradt__given_mesh,
-// paradt__given_set.
+// Doors: paradt__given_read, paradt__given_place, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts,
+// paradt__given_mesh, paradt__given_set.
 
 // Reads the points into the records of a zeroed set, which are in their order, and adds them to its space; there is
 // memory for one record more.
@@ -19969,7 +19980,8 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
 // The smallest sphere around a cell is that of a face which has the centre of its sphere in it, and the other vertices
 // inside the sphere. (The sphere of a face is the smallest through its vertices.) Floating point proposes a face, and
 // the signs of these conditions confirm it; where they don't, all faces are tried.
-// Doors: the public functions.
+// Doors: the public functions; paradt__face_begin, paradt__face_run, paradt__use_for_circumsphere,
+// paradt__integer_sign, paradt__quotient_round, struct paradt__integer, struct paradt__quotient.
 
 // Memory for all integers of a face. Differences have at most 2099 bits, lifts and entries of G 4202.
 //   small  Every face of up to 3 edges at a vertex in 3 dimensions fits: with k = 3 and digits of 60 bits 9 35 for u,
@@ -20283,7 +20295,7 @@ static double paradt__face_sphere(const paradt__face *face, double *centre) {
 }
 
 // Is the centre of a face that has been solved in the face? Its boundary is part of it.
-static int paradt__face_holds_centre(const paradt__face *face) {
+PARADT__OPTIONAL int paradt__face_holds_centre(const paradt__face *face) {
     static const paradt__digit one[] = {1};
     int length = paradt__face_length(face, 1), used = 0, i;
     for (i = 0; i < face->edges; i++) {
@@ -20297,7 +20309,7 @@ static int paradt__face_holds_centre(const paradt__face *face) {
 }
 
 // Where is x with regard to the sphere of a face that has been solved? 1: outside, 0: on it, -1: inside
-static int paradt__face_side(const paradt__face *face, const double *x) {
+PARADT__OPTIONAL int paradt__face_side(const paradt__face *face, const double *x) {
     int n = face->digits, row = face->dim * n, m = face->lift_digits, length = paradt__face_length(face, m);
     int used = 0, i;
     paradt__digit *v = face->work, *products = v + row, *work = products + (face->edges + 1) * m;
@@ -20352,6 +20364,20 @@ static int paradt__face_run(paradt__face *face, paradt__face_use use, void *out)
     return paradt__face_in_large(face, use, out);
 }
 
+// A sphere, and for the smallest around a cell which vertices are on it
+typedef struct paradt__sphere_of {
+    double *centre, radius2;
+    unsigned on;
+} paradt__sphere_of;
+
+static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
+    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
+    if (!paradt__face_solve(face)) return 0;
+    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
+    return 1;
+}
+
+#ifndef PARADT_NO_MEASURES
 // --- floating point
 
 // The signs of a face's solution in floating point
@@ -20503,19 +20529,6 @@ static unsigned paradt__guess_face(int dim, const double *const *points, int top
 
 // --- the public functions
 
-// A sphere, and for the smallest around a cell which vertices are on it
-typedef struct paradt__sphere_of {
-    double *centre, radius2;
-    unsigned on;
-} paradt__sphere_of;
-
-static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
-    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
-    if (!paradt__face_solve(face)) return 0;
-    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
-    return 1;
-}
-
 PARADT_DEF int paradt_circumsphere(int dim, const double *const *points, const double *weights, double *centre,
                                    double *radius2) {
     paradt__face face;
@@ -20612,6 +20625,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
     return volume;
 }
 #endif // PARADT_NO_MEASURES
+#endif
 
 #ifndef PARADT_NO_VORONOI
 // ---------------------------------------------------------------------------------------------------------------------
@@ -20629,8 +20643,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
 // A cell without bounds on an axis is clipped by a far wall there, at the distance M from p, where M stands for a
 // number larger than all others: a vertex is y = A + M B, and what is decided of M decides before what is decided of
 // the rest.
-// Doors: struct paradt__diagram, paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_meet,
-// paradt__diagram_above.
+// Doors: struct paradt__diagram, PARADT__ROW_BYTES, paradt__row_vertices, paradt__row_centre, paradt__diagram_point,
+// paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_plane, paradt__diagram_meet, paradt__diagram_above.
 
 // What is known of a point, bits
 enum {
@@ -20645,18 +20659,18 @@ enum { PARADT__DIAGRAM_PACE = 1 << 12 }; // cells between two looks at whether t
 typedef struct paradt__wall {
     double normal[PARADT_MAX_DIM], offset;
     double scaled_normal[PARADT_MAX_DIM], scaled_offset; // the same plane in scaled coordinates
-    int inexact; // scaling lost bits
-    int axis;    // of a bound of the box: its axis; else -1
-    int far;     // the box has no bound there
+    int inexact;                                         // scaling lost bits
+    int axis;                                            // of a bound of the box: its axis; else -1
+    int far;                                             // the box has no bound there
 } paradt__wall;
 
 typedef struct paradt__diagram {
     int d, k; // dimension of space; of the triangulation
     int weighted;
-    paradt__set set;      // the points, in the caller's order
-    size_t cells;         // of the triangulation
-    char *rows;           // [cells] of row_bytes: vertices; where `centred` links, and then the cell's centre and its error
-    char *rows_block;     // the memory that they are in
+    paradt__set set;  // the points, in the caller's order
+    size_t cells;     // of the triangulation
+    char *rows;       // [cells] of row_bytes: vertices; where `centred` links, and then the cell's centre and its error
+    char *rows_block; // the memory that they are in
     size_t row_bytes;
     size_t hull;          // facets of the hull
     int centred;          // the triangulation is as wide as space, of two or three dimensions
@@ -21006,7 +21020,7 @@ static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh
 // cells that are too flat for that get theirs rounded once from integers. Cells with the same sphere have the same
 // vertex, of which each has a number of its own, within its error. Here it shows, too, which cells of the diagram need
 // no clipping: of those all vertices are certainly inside of all walls, and none is at infinity.
-// Doors: paradt__centres_make, paradt__centre_of, paradt__same_centre.
+// Doors: paradt__centres_make, paradt__centre_of, paradt__centres_agree, paradt__centres_differ.
 
 PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
     return paradt__row_centre(paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(d)), d);
@@ -21108,7 +21122,8 @@ PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t t
         if (paradt__centre_is_inside(g, centre, d)) continue;
         for (i = 0; i <= d; i++) {
             unsigned char *kind = &g->kind[vertices[i]], known = PARADT__ATOMIC_LOAD(kind);
-            if (!(known & PARADT__CELL_CLIPPED)) PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
+            if (!(known & PARADT__CELL_CLIPPED))
+                PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
         }
     }
 }
@@ -21159,17 +21174,17 @@ PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int 
 //
 // Faces that nothing clips, of cells of which at least one is not clipped, in two and three dimensions; and from these
 // the volumes of cells: V(p) is the sum over its faces of h A / d, where h is the signed distance of the face's plane
-// from p, and A the face's measure. In space the face between p and q is the polygon of the vertices of the cells around
-// the edge p q. These rings are walked along the cells, whose order in memory is that of space: an edge belongs to the
-// first cell around it, and a mark at each cell tells which of its edges are done.
+// from p, and A the face's measure. In space the face between p and q is the polygon of the vertices of the cells
+// around the edge p q. These rings are walked along the cells, whose order in memory is that of space: an edge belongs
+// to the first cell around it, and a mark at each cell tells which of its edges are done.
 //
 // A face is there if it has d different vertices: these are corners of a convex polygon, so that three are not in a
 // line. Most differ by more than their errors; otherwise the spheres of neighbouring cells are compared exactly.
 //
 // Errors. Let the vertices of a polygon with m corners err by at most e in each coordinate, and let s be the largest
 // coordinate of a difference to the first of them. A difference errs by 2 e + u s, u the roundoff, so a coordinate of
-// the cross product of two of them by 4 s (2 e + u s) + 2 (2 e + u s)^2 + 6 u s^2, and the sum of m - 2 of them by m - 2
-// times that and m u times its size, 2 s^2 for each. What follows multiplies these.
+// the cross product of two of them by 4 s (2 e + u s) + 2 (2 e + u s)^2 + 6 u s^2, and the sum of m - 2 of them by m -
+// 2 times that and m u times its size, 2 s^2 for each. What follows multiplies these.
 //
 // The cells of the triangulation are divided into chunks, whose number depends on how many they are alone, and sums of
 // chunks are added in order: so the result does not depend on the number of tasks.
@@ -21181,13 +21196,13 @@ enum { PARADT__CHUNKS = PARADT__MOST_TASKS, PARADT__CHUNK_CELLS = 10000 };
 typedef struct paradt__face_list {
     size_t count, capacity;
     int d;
-    unsigned wants;         // PARADT_VORONOI_* bits
-    paradt_index *sides;    // [capacity][2]
-    double *areas;          // [capacity]
-    double *centroids;      // [capacity][d] NaN where there is none
-    double *normals;        // [capacity][d]
-    paradt_index *cell;     // [capacity] of faces that nothing clips: the first cell around the edge,
-    unsigned char *edge;    // ... and which of its edges
+    unsigned wants;      // PARADT_VORONOI_* bits
+    paradt_index *sides; // [capacity][2]
+    double *areas;       // [capacity]
+    double *centroids;   // [capacity][d] NaN where there is none
+    double *normals;     // [capacity][d]
+    paradt_index *cell;  // [capacity] of faces that nothing clips: the first cell around the edge,
+    unsigned char *edge; // ... and which of its edges
     paradt__memory *memory;
 } paradt__face_list;
 
@@ -21239,7 +21254,7 @@ PARADT__INLINE paradt_status paradt__face_list_room(paradt__face_list *list, siz
 
 // What is summed up for each point: its cell's volume, the volume's error, and with `moments` the integral of y
 typedef struct paradt__tally {
-    int width; // 2, or 2 + d with moments
+    int width;    // 2, or 2 + d with moments
     double *sums; // [points][width]
 } paradt__tally;
 
@@ -21351,11 +21366,11 @@ typedef struct paradt__facing {
     const paradt__team *team;
     unsigned wants;
     size_t chunks;
-    unsigned char *done;                              // [cells] marks of edges
-    paradt__tally tally[PARADT__CHUNKS];              // of chunks; of one task alone only the first is there
+    unsigned char *done;                 // [cells] marks of edges
+    paradt__tally tally[PARADT__CHUNKS]; // of chunks; of one task alone only the first is there
     paradt__tally total;
-    paradt__face_list *list;                          // [chunks]
-    paradt__memory memory[PARADT__MOST_TASKS];        // of tasks
+    paradt__face_list *list;                   // [chunks]
+    paradt__memory memory[PARADT__MOST_TASKS]; // of tasks
     paradt__space space[PARADT__MOST_TASKS];
     paradt_status status[PARADT__MOST_TASKS];
 } paradt__facing;
@@ -21399,8 +21414,7 @@ PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const parad
         sums[0] += volume;
         sums[1] += (paradt__abs(offset) * error + 32 * PARADT__ROUNDOFF * size * paradt__abs(measure)) * part * 1.01;
         if (tally->width == 2) continue;
-        for (j = 0; j < d; j++)
-            sums[2 + j] += volume * ((double)d / (d + 1)) * (where[j] - (side ? to[j] : from[j]));
+        for (j = 0; j < d; j++) sums[2 + j] += volume * ((double)d / (d + 1)) * (where[j] - (side ? to[j] : from[j]));
     }
 }
 
@@ -21422,11 +21436,11 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
     turns = ring.corners - 2;
     measure = 0.5 * (ring.area[0] * normal[0] + ring.area[1] * normal[1] + ring.area[2] * normal[2]);
     step = 2 * ring.error + PARADT__ROUNDOFF * ring.size;
-    error = turns * (4 * ring.size * step + 2 * step * step +
-                     (16 + 2 * turns) * PARADT__ROUNDOFF * ring.size * ring.size) + g->tiny;
+    error =
+        turns * (4 * ring.size * step + 2 * step * step + (16 + 2 * turns) * PARADT__ROUNDOFF * ring.size * ring.size) +
+        g->tiny;
     error *= 0.5 * (paradt__abs(normal[0]) + paradt__abs(normal[1]) + paradt__abs(normal[2]));
-    for (j = 0; j < 3 && moments; j++)
-        where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
+    for (j = 0; j < 3 && moments; j++) where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
     if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 3);
     if (!list) return PARADT_OK;
     if (list->wants & PARADT_VORONOI_POLYGONS) {
@@ -21436,7 +21450,8 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
     paradt__face_list_add(list, p, q, measure, normal,
                           list->wants & PARADT_VORONOI_AREAS
                               ? sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
-                              : 1, where, 3);
+                              : 1,
+                          where, 3);
     return PARADT_OK;
 }
 
@@ -21470,8 +21485,7 @@ PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, para
             paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
             return PARADT_ERROR_CANCELLED;
         if (!todo) continue;
-        for (edge = 0; edge < 4; edge++)
-            inner |= (unsigned)!(g->kind[vertices[edge]] & PARADT__CELL_CLIPPED) << edge;
+        for (edge = 0; edge < 4; edge++) inner |= (unsigned)!(g->kind[vertices[edge]] & PARADT__CELL_CLIPPED) << edge;
         if (list) {
             paradt_status status = paradt__face_list_room(list, 6);
             if (status) return status;
@@ -21647,15 +21661,16 @@ static paradt_status paradt__faces_make(paradt__diagram *g, const paradt__team *
 // >>planes of a cell
 //
 // Where planes of the cell of a point p meet, and on which side of another plane, in integers: what floating point left
-// undecided. Let 2^u divide all coordinates and 2^2u all weights that matter. With a = 2^u A, |a|^2 + w_p - w_q = 2^2u L
-// and z = 2^(1 - u) y the plane between p and q is A . z = L. A wall's normal is 2^v B, where v is so small that 2^(u +
-// v - 1) divides o, and the wall is B . z = C with o - n . p = 2^(u + v - 1) C. A far wall of the normal B is B . z = M.
+// undecided. Let 2^u divide all coordinates and 2^2u all weights that matter. With a = 2^u A, |a|^2 + w_p - w_q = 2^2u
+// L and z = 2^(1 - u) y the plane between p and q is A . z = L. A wall's normal is 2^v B, where v is so small that 2^(u
+// + v - 1) divides o, and the wall is B . z = C with o - n . p = 2^(u + v - 1) C. A far wall of the normal B is B . z =
+// M.
 //
 // Let d planes meet in y, their normals positively oriented as rows. The determinant of their rows and another plane's,
-// each of a normal and an offset, is then positive if y is strictly inside of that plane, and 0 if it is on it. With far
-// walls the offsets of the others count as 0 first; if that determinant is 0, those of the far walls do.
-// By Cramer's rule y is 2^(u - 1) times a quotient of determinants.
-// Doors: paradt__exact_above, paradt__exact_meet, paradt__exact_free, struct paradt__exact_work.
+// each of a normal and an offset, is then positive if y is strictly inside of that plane, and 0 if it is on it. With
+// far walls the offsets of the others count as 0 first; if that determinant is 0, those of the far walls do. By
+// Cramer's rule y is 2^(u - 1) times a quotient of determinants. Doors: paradt__exact_above, paradt__exact_meet,
+// paradt__exact_free, struct paradt__exact_work.
 
 // Memory of a task for integers
 typedef struct paradt__exact_work {
@@ -21870,8 +21885,7 @@ static size_t paradt__exact_determinant(paradt__exact_work *work, const paradt__
             if (plane->side >= 0)
                 paradt__add_difference(work->sum, 1, paradt__record(&g->set, plane->side)[j], rows->base[j],
                                        rows->unit);
-            else
-                paradt__add_difference(work->sum, 1, paradt__exact_wall(rows, i)->normal[j], 0, rows->wall_unit[i]);
+            else paradt__add_difference(work->sum, 1, paradt__exact_wall(rows, i)->normal[j], 0, rows->wall_unit[i]);
             paradt__store_any(normals + j * y.digits, work->sum, y.digits);
         }
         for (j = 0, place = 0; j < d; j++) {
@@ -21995,20 +22009,20 @@ typedef struct paradt__convex {
     const paradt__diagram *g;
     paradt_index p;
     int d;
-    paradt__insertion build;    // its mesh is the boundary's dual; rim and update are those of the last plane
-    paradt__halfspace *planes;  // [plane_capacity]
+    paradt__insertion build;   // its mesh is the boundary's dual; rim and update are those of the last plane
+    paradt__halfspace *planes; // [plane_capacity]
     size_t plane_count, plane_capacity;
-    double *places;             // [place_capacity][2 (d + 1)] of vertices: A and its error, B and its error
-    unsigned char *far;         // [place_capacity] 1: the vertex is on a far wall, and B is there
+    double *places;     // [place_capacity][2 (d + 1)] of vertices: A and its error, B and its error
+    unsigned char *far; // [place_capacity] 1: the vertex is on a far wall, and B is there
     size_t place_capacity;
     paradt__exact_work exact;
-    int empty;                  // nothing is left
-    int tied;                   // a vertex has been on a plane that clipped, or did not
+    int empty; // nothing is left
+    int tied;  // a vertex has been on a plane that clipped, or did not
     // made by paradt__convex_settle
     int merged, unbounded, flat; // some vertices coincide; some are far; the cell has no measure
-    paradt_index *same;         // [place_capacity] of vertices that coincide: one of them
-    paradt_index *entry;        // [plane_capacity] the handle of a plane at a vertex; -1: it is at none
-    unsigned char *real;        // [plane_capacity] the face on the plane has a measure
+    paradt_index *same;          // [place_capacity] of vertices that coincide: one of them
+    paradt_index *entry;         // [plane_capacity] the handle of a plane at a vertex; -1: it is at none
+    unsigned char *real;         // [plane_capacity] the face on the plane has a measure
     size_t same_capacity, entry_capacity;
     paradt_index *local; // [local_capacity] a table: cells of the triangulation, 4 times the vertex, and the place of p
     size_t local_capacity;
@@ -22227,10 +22241,8 @@ PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt_
     paradt__update *update = &build->update;
     size_t vertex, i;
     int j, above;
-    paradt_status status =
-        paradt__list_room(&update->killed, 0, &update->killed_capacity, mesh->count, c->memory);
-    if (!status)
-        status = paradt__list_room(&build->rim, 0, &build->rim_capacity, mesh->count * (size_t)d, c->memory);
+    paradt_status status = paradt__list_room(&update->killed, 0, &update->killed_capacity, mesh->count, c->memory);
+    if (!status) status = paradt__list_room(&build->rim, 0, &build->rim_capacity, mesh->count * (size_t)d, c->memory);
     if (status) return status;
     update->killed_count = build->rim_count = 0;
     *inside = 0;
@@ -22495,7 +22507,8 @@ static paradt_status paradt__convex_settle(paradt__convex *c) {
     for (i = 0; i < c->plane_count; i++) c->entry[i] = -1;
     for (i = 0; i < mesh->count * d; i++) {
         // in the plane a face begins where it is the second of the planes
-        if (mesh->vertices[i / d * d] != PARADT__DEAD && (d > 2 || i & 1)) c->entry[mesh->vertices[i]] = (paradt_index)i;
+        if (mesh->vertices[i / d * d] != PARADT__DEAD && (d > 2 || i & 1))
+            c->entry[mesh->vertices[i]] = (paradt_index)i;
     }
     status = paradt__convex_merge(c);
     if (status) return status;
@@ -22527,8 +22540,8 @@ static paradt_status paradt__convex_settle(paradt__convex *c) {
 // >>measures of a clipped cell
 //
 // Volumes, and in space and in the plane centroids and the measures of faces. All simplices that are summed up have one
-// vertex of the cell in common and do not overlap, so that nothing cancels. Errors: those of the vertices, as in
-// >>Voronoi faces, and of the arithmetic.
+// vertex of the cell in common and do not overlap, so that nothing cancels. Errors are bounded as in >>Voronoi faces:
+// by those of the vertices and those of the arithmetic.
 //
 // In higher dimensions a face of any dimension is divided from its first vertex into cones over those of its facets
 // that do not have that vertex, and these likewise (H. L. Cohen and T. Hickey, Two algorithms for determining volumes
@@ -22604,10 +22617,8 @@ static void paradt__convex_measure_face(const paradt__convex *c, paradt_index pl
         face->error = 2 * (arm * step + size * (2 * error + PARADT__ROUNDOFF * arm) + step * (2 * error) +
                            6 * PARADT__ROUNDOFF * arm * size);
     } else {
-        double turn = parts * (4 * size * step + 2 * step * step +
-                               (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
-        face->error = 3 * (arm + 2 * error) * turn +
-                      6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
+        double turn = parts * (4 * size * step + 2 * step * step + (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
+        face->error = 3 * (arm + 2 * error) * turn + 6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
     }
     face->measure = far ? HUGE_VAL : paradt__abs(along) / (d == 2 ? sqrt(square) : 2 * sqrt(square));
     for (j = 0; j < d; j++) {
@@ -22622,11 +22633,11 @@ static void paradt__convex_measure_face(const paradt__convex *c, paradt_index pl
 typedef struct paradt__pulling {
     const paradt__convex *c;
     int d;
-    paradt_index *list;    // lists of vertices of faces, one behind the other
+    paradt_index *list; // lists of vertices of faces, one behind the other
     size_t list_room;
-    paradt_index *count;   // [d][planes] scratch of each depth: vertices of each facet
-    const double *origin;  // the first vertex
-    double entry_error;    // of the difference of two vertices
+    paradt_index *count;  // [d][planes] scratch of each depth: vertices of each facet
+    const double *origin; // the first vertex
+    double entry_error;   // of the difference of two vertices
     double minor[PARADT_MAX_DIM + 1][PARADT__MINORS], size[PARADT_MAX_DIM + 1][PARADT__MINORS],
         slope[PARADT_MAX_DIM + 1][PARADT__MINORS]; // of so many rows, by the set of columns
     double volume, error;
@@ -22707,8 +22718,7 @@ static void paradt__pulling_face(paradt__pulling *pull, int depth, size_t begin,
 }
 
 // The volume of a bounded cell in higher dimensions
-static paradt_status paradt__convex_pull(const paradt__convex *c, paradt__memory *memory,
-                                         paradt__convex_sums *sums) {
+static paradt_status paradt__convex_pull(const paradt__convex *c, paradt__memory *memory, paradt__convex_sums *sums) {
     const paradt__mesh *mesh = &c->build.scene.mesh;
     size_t d = (size_t)c->d, i, count = 0;
     paradt_index on[PARADT_MAX_DIM];
@@ -22795,7 +22805,7 @@ enum { PARADT__EDGE_CLIPPED = 255 }; // instead of an edge's number: the face's 
 // is at infinity, or -2 - i for the i-th of the list's places
 typedef struct paradt__corner_list {
     paradt__list corners;
-    double *places; // [place_capacity][d] as the caller counts, along the set's axes
+    double *places;       // [place_capacity][d] as the caller counts, along the set's axes
     paradt_index *planes; // [place_capacity][1 + d] a point, and the sides of planes of its cell that meet there
     size_t place_count, place_capacity;
 } paradt__corner_list;
@@ -22826,10 +22836,10 @@ typedef struct paradt__clipping {
     const paradt__team *team;
     unsigned wants;
     size_t point_count;
-    paradt_index *points;    // [point_count] those whose cells are clipped, ascending
-    size_t *first;           // [point_count + 1] where the cells of the triangulation around each begin,
-    paradt_index *around;    // in this list
-    paradt__tally tally;     // what is found replaces what is there; sums NULL: not wanted
+    paradt_index *points; // [point_count] those whose cells are clipped, ascending
+    size_t *first;        // [point_count + 1] where the cells of the triangulation around each begin,
+    paradt_index *around; // in this list
+    paradt__tally tally;  // what is found replaces what is there; sums NULL: not wanted
     unsigned char *unbounded;
     paradt__face_list *lists; // [tasks]; NULL: faces are not wanted
     paradt__corner_list corners[PARADT__MOST_TASKS];
@@ -22843,11 +22853,11 @@ typedef struct paradt__clipping {
 typedef struct paradt__clipper {
     paradt__clipping *clipping;
     paradt__convex cell;
-    paradt_index *stamp;       // [points] of the last of the task's points whose neighbour it was found to be: a mark
-    paradt_index *number;      // [points] scratch of paradt__convex_star
-    paradt_index *names;       // [names_capacity] of the cell's vertices, by the one that those that coincide have
+    paradt_index *stamp;  // [points] of the last of the task's points whose neighbour it was found to be: a mark
+    paradt_index *number; // [points] scratch of paradt__convex_star
+    paradt_index *names;  // [names_capacity] of the cell's vertices, by the one that those that coincide have
     size_t names_capacity;
-    size_t task, at;           // at: of the points
+    size_t task, at; // at: of the points
     paradt__memory *memory;
 } paradt__clipper;
 
@@ -22860,9 +22870,9 @@ static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
     size_t first = clipping->first[clipper->at], count = clipping->first[clipper->at + 1] - first, wall;
     paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 1;
     const paradt_index *around = clipping->around + first;
-    paradt_status status =
-        g->d == 2 ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
-                  : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
+    paradt_status status = g->d == 2
+                               ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
+                               : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
     for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++)
         if (!g->walls[wall].far) status = paradt__convex_clip_by_wall(c, wall);
     *done = !c->tied;
@@ -23142,8 +23152,8 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
             if (slot[row[j]] >= 0) clipping->first[slot[row[j]] + 1]++;
     }
     for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
-    clipping->around = (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1,
-                                                     sizeof *clipping->around);
+    clipping->around =
+        (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1, sizeof *clipping->around);
     for (i = 0; i < g->cells && clipping->around; i++) {
         const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
         for (j = 0; j < corners; j++) {
@@ -23165,8 +23175,7 @@ static paradt_status paradt__clip_join(paradt__clipping *clipping, size_t task, 
     paradt__corner_list *more = &clipping->corners[task];
     size_t d = (size_t)clipping->g->d, i, base = corners->corners.count, places = corners->place_count, left = 0;
     paradt_status status;
-    for (i = 0; i < from->count && clipping->wants & PARADT_VORONOI_POLYGONS; i++)
-        from->cell[i] += (paradt_index)base;
+    for (i = 0; i < from->count && clipping->wants & PARADT_VORONOI_POLYGONS; i++) from->cell[i] += (paradt_index)base;
     status = paradt__face_list_join(list, from);
     for (i = 0; i < more->corners.count && !status; i++) {
         paradt_index item = more->corners.items[i];
@@ -23210,9 +23219,8 @@ static int paradt__corner_list_same(const paradt__diagram *g, const paradt__corn
 //   list       NULL, or a list that their faces are added to, if both sides have PARADT__CELL_CLIPPED
 //   corners    with PARADT_VORONOI_POLYGONS, gets the corners of these faces
 static paradt_status paradt__clip_all(paradt__diagram *g, const paradt__team *team, unsigned wants,
-                                      const unsigned char *again, const paradt__tally *tally,
-                                      unsigned char *unbounded, paradt__face_list *list,
-                                      paradt__corner_list *corners) {
+                                      const unsigned char *again, const paradt__tally *tally, unsigned char *unbounded,
+                                      paradt__face_list *list, paradt__corner_list *corners) {
     paradt__clipping clipping;
     paradt__face_list lists[PARADT__MOST_TASKS];
     uint64_t peaks = 0;
@@ -23263,8 +23271,8 @@ typedef struct paradt__voronoi_work {
     size_t tasks;
     unsigned wants;
     paradt__diagram g;
-    double *scaled;      // of the diagram, where it has its own
-    paradt__tally tally; // of the cells
+    double *scaled;           // of the diagram, where it has its own
+    paradt__tally tally;      // of the cells
     unsigned char *unbounded; // [points] is the cell?
     paradt__face_list list;
     paradt__corner_list corners; // of faces that are clipped
@@ -23451,7 +23459,8 @@ static double paradt__voronoi_unscale(const paradt__diagram *g, double value, in
     int exact = 1;
     if (g->shift) {
         value = paradt__voronoi_unscaled(g, value, dim);
-        if (paradt__is_finite(*error)) *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
+        if (paradt__is_finite(*error))
+            *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
     }
     *error += paradt__power(-1000);
     if (paradt__bits(paradt__abs(value)) >= UINT64_C(0x7fefffffffffffff)) *error = HUGE_VAL;
@@ -23478,7 +23487,7 @@ PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, para
         int infinite = work->unbounded[i];
         double volume = infinite ? HUGE_VAL : sums[0], error = infinite ? 0 : sums[1];
         if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
-        if (!infinite && !(volume + error < HUGE_VAL)) // beyond all doubles: the largest one, and no bound
+        if (!infinite && !(volume + error < HUGE_VAL))        // beyond all doubles: the largest one, and no bound
             volume = paradt__from_bits(UINT64_C(0x7fefffffffffffff)), error = HUGE_VAL;
         double scaled = volume;
         if (out->volumes) {
@@ -23689,7 +23698,8 @@ static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__vorono
         for (i = 0; i < count && !status; i++)
             status = paradt__numbering_add(n, work, begin, corners[g->odd && g->d <= 3 ? count - i : i + 1]);
     } else if (g->d == 2) {
-        status = paradt__numbering_add(n, work, begin, paradt__row_vertices(g, (size_t)cell, g->row_bytes)[3 + edge] / 3);
+        status =
+            paradt__numbering_add(n, work, begin, paradt__row_vertices(g, (size_t)cell, g->row_bytes)[3 + edge] / 3);
         if (!status) status = paradt__numbering_add(n, work, begin, cell);
     } else {
         const unsigned char *places = paradt__ring_edges[edge];
@@ -23712,8 +23722,7 @@ static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__vorono
 }
 
 // Fills the vertices.
-static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__voronoi_work *work,
-                                                paradt_voronoi *out) {
+static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__voronoi_work *work, paradt_voronoi *out) {
     const paradt__diagram *g = &work->g;
     size_t d = (size_t)g->d, i, j;
     paradt_status status = PARADT_OK;
@@ -23820,8 +23829,8 @@ PARADT_DEF void paradt_voronoi_free(paradt_voronoi *voronoi) {
 }
 
 // Ends a call: frees all but the result.
-static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voronoi *out, paradt_status status,
-                                         int dim, double begun) {
+static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voronoi *out, paradt_status status, int dim,
+                                         double begun) {
     work->meter.done = PARADT__ALL_DONE;
     if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     paradt__face_list_free(&work->list);
