@@ -1423,7 +1423,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     space                        277   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        621   signs in integers
+//     exact                        622   signs in integers
 //     signs                        244   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
@@ -1482,7 +1482,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     methods                      295   one row a method; AUTO's choice
 //     triangulate                  380   the entry
 //   use
-//     minors                        65   determinants with bounds, in floating point
+//     minors                        67   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         270   the entry
@@ -1491,7 +1491,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     mending by holes             444   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
 //     repair                       510   the entry of repairing
-//     measures of a cell           666   spheres and volumes, rounded once
+//     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               275   a vertex near any place
 //     distances                    161   which of two vertices is nearer
@@ -1499,11 +1499,20 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
-//     locator                      521   the entry of queries
+//     locator                      574   the entry of queries
 //     holes of vertices            738   what fills the hole where a vertex goes
 //     state of a living set        695   columns, journal, hidden and coincident points
 //     changes of a living set      644   one point comes, goes or moves; the set anew
 //     living set                   634   the entry
+//     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
+//     diagram order                134   points and cells in the order of space
+//     Voronoi vertices             157   centres of cells, and their errors
+//     Voronoi faces                488   faces and volumes that nothing clips
+//     planes of a cell             329   where planes meet, in integers
+//     clipped cell                 550   a cell as planes and vertices, in any dimension
+//     measures of a clipped cell   252   volumes, areas, centroids
+//     clipping                     470   all cells that walls or infinity clip
+//     Voronoi                      628   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -2837,7 +2846,8 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
 // is the square of that unit, or less if the weights need it.
 // Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere; for numbers instead of signs
-// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference.
+// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference; for determinants of
+// other rows paradt__mantissa, paradt__fix, paradt__small_sign, paradt__next_subset.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
 static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
@@ -3457,7 +3467,7 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
 // into the space, and the cell of an in-sphere test must be positively oriented.
 // The ties are broken as by Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
 // CGTA 44, 2011. The public predicates measure the points of each call.
-// Doors: paradt__orient, paradt__perturbed, paradt__conflict.
+// Doors: paradt__orient, paradt__insphere, paradt__perturbed, paradt__conflict.
 
 // Was the set measured, up to the end, and are the dimensions among those measured?
 PARADT__INLINE int paradt__space_is_ready(const paradt__space *s) {
@@ -9223,8 +9233,8 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
 // Between two insertions `scene` is as >>scene says, no cell has the marks PARADT__CONFLICT and PARADT__OUTSIDE, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
 // Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
-// paradt__insertion_first_cells, paradt__cavity_dig, paradt__cavity_star, paradt__cavity_clear, paradt__insert,
-// paradt__insert_at.
+// paradt__insertion_first_cells, paradt__cavity_dig, paradt__cavity_star, paradt__cavity_fill, paradt__cavity_join,
+// paradt__cavity_clear, paradt__insert, paradt__insert_at.
 
 struct paradt__kept; // see >>kept spheres
 struct paradt__insertion;
@@ -17394,7 +17404,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 }
 #endif
 
-#ifndef PARADT_NO_HULLS
+#if !defined(PARADT_NO_HULLS) || !defined(PARADT_NO_VORONOI)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>minors
 //
@@ -17459,7 +17469,9 @@ PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, 
     *error = paradt__minors_factor(k) * sizes + PARADT__ROUNDOFF * (terms + 4) * squares;
     return squares;
 }
+#endif
 
+#ifndef PARADT_NO_HULLS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>hull points
 //
@@ -18551,8 +18563,8 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 // The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
 // that links back, where both have a vertex of their own, and that the hull has a neighbour across each of its ridges.
 // No coordinate is asked for that: cells may be turned over.
-// Doors: paradt__given_read, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts, paradt__given_mesh,
-// paradt__given_set.
+// Doors: paradt__given_read, paradt__given_place, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts,
+// paradt__given_mesh, paradt__given_set.
 
 // Reads the points into the records of a zeroed set, which are in their order, and adds them to its space; there is
 // memory for one record more.
@@ -20101,7 +20113,7 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
 }
 #endif // PARADT_NO_FLIPS
 
-#ifndef PARADT_NO_MEASURES
+#if !defined(PARADT_NO_MEASURES) || !defined(PARADT_NO_VORONOI)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>measures of a cell
 //
@@ -20123,7 +20135,8 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
 // The smallest sphere around a cell is that of a face which has the centre of its sphere in it, and the other vertices
 // inside the sphere. (The sphere of a face is the smallest through its vertices.) Floating point proposes a face, and
 // the signs of these conditions confirm it; where they don't, all faces are tried.
-// Doors: the public functions.
+// Doors: the public functions; paradt__face_begin, paradt__face_run, paradt__use_for_circumsphere,
+// paradt__integer_sign, paradt__quotient_round, struct paradt__integer, struct paradt__quotient.
 
 // Memory for all integers of a face. Differences have at most 2099 bits, lifts and entries of G 4202.
 //   small  Every face of up to 3 edges at a vertex in 3 dimensions fits: with k = 3 and digits of 60 bits 9 35 for u,
@@ -20437,7 +20450,7 @@ static double paradt__face_sphere(const paradt__face *face, double *centre) {
 }
 
 // Is the centre of a face that has been solved in the face? Its boundary is part of it.
-static int paradt__face_holds_centre(const paradt__face *face) {
+PARADT__OPTIONAL int paradt__face_holds_centre(const paradt__face *face) {
     static const paradt__digit one[] = {1};
     int length = paradt__face_length(face, 1), used = 0, i;
     for (i = 0; i < face->edges; i++) {
@@ -20451,7 +20464,7 @@ static int paradt__face_holds_centre(const paradt__face *face) {
 }
 
 // Where is x with regard to the sphere of a face that has been solved? 1: outside, 0: on it, -1: inside
-static int paradt__face_side(const paradt__face *face, const double *x) {
+PARADT__OPTIONAL int paradt__face_side(const paradt__face *face, const double *x) {
     int n = face->digits, row = face->dim * n, m = face->lift_digits, length = paradt__face_length(face, m);
     int used = 0, i;
     paradt__digit *v = face->work, *products = v + row, *work = products + (face->edges + 1) * m;
@@ -20506,6 +20519,20 @@ static int paradt__face_run(paradt__face *face, paradt__face_use use, void *out)
     return paradt__face_in_large(face, use, out);
 }
 
+// A sphere, and for the smallest around a cell which vertices are on it
+typedef struct paradt__sphere_of {
+    double *centre, radius2;
+    unsigned on;
+} paradt__sphere_of;
+
+static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
+    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
+    if (!paradt__face_solve(face)) return 0;
+    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
+    return 1;
+}
+
+#ifndef PARADT_NO_MEASURES
 // --- floating point
 
 // The signs of a face's solution in floating point
@@ -20657,19 +20684,6 @@ static unsigned paradt__guess_face(int dim, const double *const *points, int top
 
 // --- the public functions
 
-// A sphere, and for the smallest around a cell which vertices are on it
-typedef struct paradt__sphere_of {
-    double *centre, radius2;
-    unsigned on;
-} paradt__sphere_of;
-
-static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
-    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
-    if (!paradt__face_solve(face)) return 0;
-    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
-    return 1;
-}
-
 PARADT_DEF int paradt_circumsphere(int dim, const double *const *points, const double *weights, double *centre,
                                    double *radius2) {
     paradt__face face;
@@ -20766,6 +20780,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
     return volume;
 }
 #endif // PARADT_NO_MEASURES
+#endif
 
 #if !defined(PARADT_NO_LOCATOR) || !defined(PARADT_NO_DYNAMIC)
 // ---------------------------------------------------------------------------------------------------------------------
@@ -25246,6 +25261,3264 @@ PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_t
     return PARADT_OK;
 }
 #endif // PARADT_NO_DYNAMIC
+
+#ifndef PARADT_NO_VORONOI
+// ---------------------------------------------------------------------------------------------------------------------
+// >>diagram
+//
+// What a Voronoi or power diagram is computed from, and the planes of its cells in floating point. Everything about the
+// cell of a point p is relative to p: with y = x - p and a = q - p the points x that are as near to p as to q, in the
+// sense of the power, lie on the plane
+//
+//     a . y = (|a|^2 + w_p - w_q) / 2        and on a wall        n . y = o - n . p
+//
+// Coordinates in floating point are the caller's times 2^-shift, so that no product overflows; exact integers
+// (>>planes of a cell) are made of the caller's doubles. The axes are those of the set: the first ones orient.
+//
+// A cell without bounds on an axis is clipped by a far wall there, at the distance M from p, where M stands for a
+// number larger than all others: a vertex is y = A + M B, and what is decided of M decides before what is decided of
+// the rest.
+// Doors: struct paradt__diagram, PARADT__ROW_BYTES, paradt__row_vertices, paradt__row_centre, paradt__diagram_point,
+// paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_plane, paradt__diagram_meet, paradt__diagram_above.
+
+// What is known of a point, bits
+enum {
+    PARADT__CELL_THERE = 1,   // it is a vertex of the triangulation
+    PARADT__CELL_CLIPPED = 2, // its cell may be unbounded or leave the walls
+    PARADT__CELL_HULL = 4     // it is on the hull
+};
+
+enum { PARADT__DIAGRAM_PACE = 1 << 12 }; // cells between two looks at whether the call is cancelled
+
+// A wall as the caller gave it, along the set's axes: normal . x <= offset
+typedef struct paradt__voronoi_wall {
+    double normal[PARADT_MAX_DIM], offset;
+    double scaled_normal[PARADT_MAX_DIM], scaled_offset; // the same plane in scaled coordinates
+    int inexact;                                         // scaling lost bits
+    int axis;                                            // of a bound of the box: its axis; else -1
+    int far;                                             // the box has no bound there
+} paradt__voronoi_wall;
+
+typedef struct paradt__diagram {
+    int d, k; // dimension of space; of the triangulation
+    int weighted;
+    paradt__set set;  // the points, in the caller's order
+    size_t cells;     // of the triangulation
+    char *rows;       // [cells] of row_bytes: vertices; where `centred` links, and then the cell's centre and its error
+    char *rows_block; // the memory that they are in
+    size_t row_bytes;
+    size_t hull;          // facets of the hull
+    int centred;          // the triangulation is as wide as space, of two or three dimensions
+    const double *scaled; // [set.count][set.width] what floating point works with; set.records where shift is 0
+    int shift;
+    double tiny;         // more than what underflow adds to a determinant
+    paradt__voronoi_wall *walls; // [wall_count] 2 d bounds of the box, then planes
+    size_t wall_count;
+    int odd;             // the axes are an odd permutation of the caller's
+    int nothing;         // the box has a lower bound above the upper
+    unsigned char *kind; // [set.count] PARADT__CELL_* bits
+    paradt__memory *memory;
+    paradt__meter *meter;
+} paradt__diagram;
+
+// A plane of a cell: normal . y <= offset for the cell's points
+typedef struct paradt__halfspace {
+    double normal[PARADT_MAX_DIM]; // each errs by a roundoff at most
+    double offset, size;           // the offset errs by PARADT__OFFSET_ROUNDINGS roundoffs of `size` at most
+    paradt_index side;             // a point; -1 - k: wall k
+    int far;                       // a far wall: its offset is M
+} paradt__halfspace;
+
+// A square of a difference has been rounded three times, the sum of d squares d - 1 times, and a difference of weights
+// adds two and a sum; the offset of a wall takes fewer.
+#define PARADT__OFFSET_ROUNDINGS(d) ((d) + 6)
+
+// The bytes of a row with links and a centre; a cache line in space
+#define PARADT__ROW_BYTES(d) ((size_t)((d) + 1) * (2 * sizeof(paradt_index) + sizeof(double)))
+
+PARADT__INLINE paradt_index *paradt__row_vertices(const paradt__diagram *g, size_t cell, size_t bytes) {
+    return (paradt_index *)(void *)(g->rows + cell * bytes);
+}
+
+PARADT__INLINE double *paradt__row_centre(const paradt_index *vertices, int d) {
+    return (double *)(void *)(uintptr_t)(vertices + 2 * (d + 1));
+}
+
+PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, paradt_index point) {
+    return g->scaled + (size_t)point * g->set.width;
+}
+
+// The plane between p and q. Its offset is a sum of at most eight squares of differences and of two weights.
+PARADT__INLINE void paradt__diagram_bisector(const paradt__diagram *g, paradt_index p, paradt_index q,
+                                             paradt__halfspace *h, int d) {
+    const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    double squares = 0;
+    int j;
+    PARADT__UNROLL_4
+    for (j = 0; j < d; j++) {
+        h->normal[j] = to[j] - from[j];
+        squares += h->normal[j] * h->normal[j];
+    }
+    h->offset = h->size = squares;
+    if (g->weighted) {
+        h->offset = squares + (from[d] - to[d]);
+        h->size = squares + (paradt__abs(from[d]) + paradt__abs(to[d]));
+    }
+    h->offset *= 0.5;
+    h->size = h->size * 0.5 + g->tiny;
+    h->side = q;
+    h->far = 0;
+}
+
+// Wall number `wall` as a plane of the cell of p
+static void paradt__diagram_wall(const paradt__diagram *g, paradt_index p, size_t number, paradt__halfspace *h) {
+    const double *from = paradt__diagram_point(g, p);
+    const paradt__voronoi_wall *wall = g->walls + number;
+    double dot = 0, size = 0;
+    int j;
+    for (j = 0; j < g->d; j++) {
+        h->normal[j] = wall->scaled_normal[j];
+        dot += h->normal[j] * from[j];
+        size += paradt__abs(h->normal[j] * from[j]);
+    }
+    h->offset = wall->scaled_offset - dot;
+    h->size = wall->axis >= 0 ? paradt__abs(h->offset) : paradt__abs(wall->scaled_offset) + size;
+    h->size += g->tiny;
+    if (wall->inexact) h->size = HUGE_VAL;
+    if (wall->far) h->offset = 0, h->size = g->tiny;
+    h->side = -1 - (paradt_index)number;
+    h->far = wall->far;
+}
+
+// The plane of the cell of p that has a given side
+static void paradt__diagram_plane(const paradt__diagram *g, paradt_index p, paradt_index side, paradt__halfspace *h) {
+    if (side < 0) paradt__diagram_wall(g, p, (size_t)(-1 - side), h);
+    else paradt__diagram_bisector(g, p, side, h, g->d);
+}
+
+// The determinants of d + 1 columns, of which one is left out, by all minors. The last column is the offsets.
+static void paradt__diagram_minors(const paradt__halfspace *const *h, int d, int far, double *out, double *sizes) {
+    double minor[2 << PARADT_MAX_DIM], size[2 << PARADT_MAX_DIM];
+    const unsigned all = (2u << d) - 1;
+    unsigned mask, rest;
+    int j;
+    minor[0] = size[0] = 1;
+    for (mask = 1; mask < all; mask++) {
+        double sum = 0, sum_of_sizes = 0;
+        const paradt__halfspace *row;
+        int last = -1;
+        for (rest = mask; rest; rest &= rest - 1) last++;
+        row = h[last];
+        for (rest = mask; rest; rest &= rest - 1) {
+            unsigned bit = rest & (0 - rest);
+            int column = paradt__trailing_zeros(rest);
+            double x = column < d ? row->normal[column] : far ? row->far : row->offset;
+            double y = column < d ? paradt__abs(x) : far ? row->far : row->size;
+            sum = x * minor[mask ^ bit] - sum;
+            sum_of_sizes += y * size[mask ^ bit];
+        }
+        minor[mask] = sum;
+        size[mask] = sum_of_sizes;
+    }
+    for (j = 0; j <= d; j++) { // without column j: the solution has the offsets in its place
+        out[j] = (d - 1 - j) & 1 && j < d ? -minor[all ^ 1u << j] : minor[all ^ 1u << j];
+        sizes[j] = size[all ^ 1u << j];
+    }
+}
+
+// Finds where d planes meet: y[d], and in y[d] a bound of the coordinates' error. far: of y = A + M B finds B instead
+// of A. Returns 0 where floating point has too few digits.
+//
+// A determinant is a sum of monomials, each of d entries. Each entry has been rounded once, an offset
+// PARADT__OFFSET_ROUNDINGS times relative to its size; then there are two roundings for d = 2, five for d = 3, and less
+// than d (d + 5) / 2 by minors. A hundredth more covers the higher orders and the rounding of the sizes.
+PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__halfspace *const *h, int d, int far,
+                                        double *y) {
+    const int steps = d == 2 ? 2 : d == 3 ? 5 : d * (d + 5) / 2;
+    const double det_factor = PARADT__ROUNDOFF * 1.01 * (d + steps);
+    const double factor = PARADT__ROUNDOFF * 1.01 * (d - 1 + PARADT__OFFSET_ROUNDINGS(d) + steps);
+    double n[PARADT_MAX_DIM + 1], size[PARADT_MAX_DIM + 1], det_error, det, largest = 0, error = 0;
+    int j;
+    if (d == 2) {
+        const double *a = h[0]->normal, *b = h[1]->normal;
+        double s = far ? h[0]->far : h[0]->offset, t = far ? h[1]->far : h[1]->offset;
+        double v = far ? s : h[0]->size, w = far ? t : h[1]->size;
+        n[2] = a[0] * b[1] - a[1] * b[0];
+        n[0] = s * b[1] - t * a[1];
+        n[1] = a[0] * t - b[0] * s;
+        size[2] = paradt__abs(a[0] * b[1]) + paradt__abs(a[1] * b[0]);
+        size[0] = v * paradt__abs(b[1]) + w * paradt__abs(a[1]);
+        size[1] = w * paradt__abs(a[0]) + v * paradt__abs(b[0]);
+    } else if (PARADT__IS(d, 3)) {
+        const int x = 0, z = PARADT_MAX_DIM > 2 ? 2 : 0; // the last index is there in three dimensions alone
+        const double *a = h[0]->normal, *b = h[1]->normal, *c = h[z]->normal;
+        double o[3], v[3], m[3][3], s[3][3];
+        int i;
+        for (i = 0; i < 3; i++) {
+            o[i] = far ? h[i]->far : h[i]->offset;
+            v[i] = far ? o[i] : h[i]->size;
+        }
+        m[0][0] = b[1] * c[z] - b[z] * c[1], m[0][1] = b[z] * c[x] - b[x] * c[z], m[0][2] = b[x] * c[1] - b[1] * c[x];
+        m[1][0] = c[1] * a[z] - c[z] * a[1], m[1][1] = c[z] * a[x] - c[x] * a[z], m[1][2] = c[x] * a[1] - c[1] * a[x];
+        m[2][0] = a[1] * b[z] - a[z] * b[1], m[2][1] = a[z] * b[x] - a[x] * b[z], m[2][2] = a[x] * b[1] - a[1] * b[x];
+        s[0][0] = paradt__abs(b[1] * c[z]) + paradt__abs(b[z] * c[1]);
+        s[0][1] = paradt__abs(b[z] * c[x]) + paradt__abs(b[x] * c[z]);
+        s[0][2] = paradt__abs(b[x] * c[1]) + paradt__abs(b[1] * c[x]);
+        s[1][0] = paradt__abs(c[1] * a[z]) + paradt__abs(c[z] * a[1]);
+        s[1][1] = paradt__abs(c[z] * a[x]) + paradt__abs(c[x] * a[z]);
+        s[1][2] = paradt__abs(c[x] * a[1]) + paradt__abs(c[1] * a[x]);
+        s[2][0] = paradt__abs(a[1] * b[z]) + paradt__abs(a[z] * b[1]);
+        s[2][1] = paradt__abs(a[z] * b[x]) + paradt__abs(a[x] * b[z]);
+        s[2][2] = paradt__abs(a[x] * b[1]) + paradt__abs(a[1] * b[x]);
+        for (j = 0; j < 3; j++) {
+            n[j] = o[0] * m[0][j] + o[1] * m[1][j] + o[2] * m[2][j];
+            size[j] = v[0] * s[0][j] + v[1] * s[1][j] + v[2] * s[2][j];
+        }
+        n[d] = a[0] * m[0][0] + a[1] * m[0][1] + a[z] * m[0][2];
+        size[d] = paradt__abs(a[0]) * s[0][0] + paradt__abs(a[1]) * s[0][1] + paradt__abs(a[z]) * s[0][2];
+    } else {
+        paradt__diagram_minors(h, d, far, n, size);
+    }
+    det = paradt__abs(n[d]);
+    det_error = det_factor * size[d] + g->tiny;
+    y[d] = HUGE_VAL;
+    if (!(det > 2 * det_error)) {
+        for (j = 0; j < d; j++) y[j] = 0;
+        return 0;
+    }
+    for (j = 0; j < d; j++) {
+        y[j] = n[j] / n[d];
+        error = paradt__larger(error, factor * size[j]);
+        largest = paradt__larger(largest, paradt__abs(y[j]));
+    }
+    y[d] = (error + g->tiny + largest * det_error) / (det - det_error) * (1 + 16 * PARADT__ROUNDOFF) +
+           2 * PARADT__ROUNDOFF * largest;
+    return y[d] <= 1024 * PARADT__ROUNDOFF * largest;
+}
+
+// On which side of a plane is y, of which the error is known? 1: strictly outside, -1 strictly inside. far: of
+// y = A + M B only B is asked about.
+PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt__halfspace *h, const double *y, int d,
+                                         int far) {
+    double value = far ? 0 : -h->offset, size = far ? 0 : PARADT__OFFSET_ROUNDINGS(d) * h->size, sum = 0, error;
+    double reach = 1; // what underflow has made of a normal is multiplied by y
+    int j;
+    for (j = 0; j < d; j++) {
+        reach += paradt__abs(y[j]);
+        value += h->normal[j] * y[j];
+        size += paradt__abs(h->normal[j] * y[j]) * (d + 4);
+        sum += paradt__abs(h->normal[j]);
+    }
+    error = (size * PARADT__ROUNDOFF + sum * y[d]) * (1 + 32 * PARADT__ROUNDOFF) + g->tiny * reach;
+    return value > error ? 1 : value < -error ? -1 : PARADT__UNDECIDED;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>diagram order
+//
+// Points along Hilbert's curve, and the cells of the triangulation in the order of the first of their points: so what
+// is near in space is near in memory. A caller's points may come in any order, and cells in that of their making; to
+// walk around edges of these takes three times as long. From here on points are positions of the set. What belongs to a
+// cell comes into one row, and ghosts become hull points whose cells are unbounded.
+// Doors: paradt__diagram_rows.
+
+enum { PARADT__DIAGRAM_FEW = 4096 }; // cells: so few are in fast memory anyway
+
+// Sorts the points. to: [set.count] where each of them comes
+PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt_index *to) {
+    paradt__set *set = &g->set;
+    size_t i, n = set->count, width = set->width;
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc_filled(g->memory, 2 * n, sizeof *keyed);
+    double *records = (double *)paradt__alloc_filled(g->memory, n + 1, width * sizeof *records);
+    paradt__curve curve;
+    set->origin = (paradt_index *)paradt__alloc_filled(g->memory, n, sizeof *set->origin);
+    if (!keyed || !records || !set->origin) {
+        paradt__release(g->memory, keyed);
+        paradt__release(g->memory, records);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < n; i++) keyed[i].item = (paradt_index)i;
+    paradt__curve_begin(&curve, g->d, paradt__levels_for(n, g->d), set->space.low, set->space.high, n);
+    paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n);
+    for (i = 0; i < n; i++) {
+        PARADT__FETCH(set->records, (size_t)keyed[i + 16 < n ? i + 16 : i].item * width);
+        set->origin[i] = keyed[i].item;
+        to[keyed[i].item] = (paradt_index)i;
+        paradt__copy_record(records + i * width, set->records + (size_t)keyed[i].item * width, width);
+    }
+    paradt__release(g->memory, set->records);
+    paradt__release(g->memory, keyed);
+    set->records = records;
+    return PARADT_OK;
+}
+
+// The least vertex of a cell
+PARADT__INLINE paradt_index paradt__diagram_least(const paradt_index *vertices, int corners) {
+    paradt_index least = vertices[0];
+    int i;
+    for (i = 1; i < corners; i++) least = vertices[i] < least ? vertices[i] : least;
+    return least;
+}
+
+// Finds where cells come, whose vertices are positions. to: [cells]; first: [set.count + 1] scratch
+PARADT__INLINE void paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh, paradt_index *to,
+                                               paradt_index *first, int corners) {
+    size_t cell, i;
+    memset(first, 0, (g->set.count + 1) * sizeof *first);
+    for (cell = 0; cell < g->cells; cell++)
+        first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners) + 1]++;
+    for (i = 0; i < g->set.count; i++) first[i + 1] += first[i];
+    for (cell = 0; cell < g->cells; cell++)
+        to[cell] = first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners)]++;
+}
+
+// Fills the rows of cells in order. to: NULL: they stay where they are
+PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh, const paradt_index *to,
+                                         int corners) {
+    enum { AHEAD = 8 };
+    const size_t bytes = PARADT__ROW_BYTES(corners - 1);
+    size_t cell;
+    int j;
+    for (cell = 0; cell < g->cells; cell++) {
+        size_t base = cell * (size_t)corners;
+        paradt_index *row = paradt__row_vertices(g, to ? (size_t)to[cell] : cell, bytes);
+        if (to && cell + 2 * AHEAD < g->cells) {
+            for (j = 0; j < corners; j++) {
+                paradt_index link = mesh->links[base + (size_t)(2 * AHEAD * corners + j)] / corners;
+                PARADT__FETCH(to, link);
+            }
+            PARADT__PREFETCH_TO_WRITE(g->rows + (size_t)to[cell + AHEAD] * bytes);
+        }
+        for (j = 0; j < corners; j++) {
+            paradt_index link = mesh->links[base + (size_t)j], other = link / corners;
+            row[j] = mesh->vertices[base + (size_t)j];
+            if ((size_t)other >= g->cells) row[corners + j] = PARADT__HULL;
+            else row[corners + j] = to ? to[other] * corners + (link - other * corners) : link;
+        }
+    }
+}
+
+// Makes the rows of a triangulation that is as wide as space: sorts points and cells, and marks the points of the hull.
+PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const paradt__mesh *mesh) {
+    const size_t corners = (size_t)mesh->corners;
+    size_t i;
+    paradt_index *to = NULL, *scratch = NULL;
+    paradt_status status = PARADT_OK;
+    if (g->cells >= PARADT__DIAGRAM_FEW) {
+        scratch = (paradt_index *)paradt__alloc_filled(g->memory, g->set.count + 1, sizeof *scratch);
+        to = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *to);
+        status = scratch && to ? paradt__diagram_sort_points(g, scratch) : PARADT_ERROR_MEMORY;
+        for (i = 0; i < mesh->count * corners && !status; i++) {
+            if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
+        }
+        if (!status && corners == 4) paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
+        else if (!status) paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
+    }
+    if (!status && corners == 4) paradt__diagram_fill(g, mesh, to, 4);
+    else if (!status) paradt__diagram_fill(g, mesh, to, 3);
+    for (i = 0; i < g->cells * corners && !status; i++) g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    for (; i < mesh->count * corners && !status; i++) { // ghosts
+        if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
+    }
+    paradt__release(g->memory, to);
+    paradt__release(g->memory, scratch);
+    return status;
+}
+
+// Makes the rows, and finds which points are vertices. kind has been cleared.
+static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh *mesh) {
+    enum { LINE = 64 }; // bytes
+    size_t corners = (size_t)mesh->corners, cell, j;
+    g->centred = g->k == g->d && g->d <= 3;
+    g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : corners * sizeof(paradt_index);
+    if (g->cells > (SIZE_MAX / 2 - LINE) / g->row_bytes) return PARADT_ERROR_MEMORY;
+    g->rows_block = (char *)paradt__alloc_filled(g->memory, g->cells * g->row_bytes + LINE, 1);
+    if (!g->rows_block) return PARADT_ERROR_MEMORY;
+    g->rows = g->rows_block + (LINE - (uintptr_t)g->rows_block % LINE) % LINE;
+    if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
+    if (g->centred) return paradt__diagram_rows_centred(g, mesh);
+    for (cell = 0; cell < g->cells; cell++) {
+        paradt_index *row = paradt__row_vertices(g, cell, g->row_bytes);
+        for (j = 0; j < corners; j++) {
+            row[j] = mesh->vertices[cell * corners + j];
+            g->kind[row[j]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
+        }
+    }
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Voronoi vertices
+//
+// The vertices of the diagram, as far as nothing clips it: one for each cell of the triangulation, the centre of the
+// sphere through its vertices. They are computed in floating point relative to one vertex, with a bound of the error;
+// cells that are too flat for that get theirs rounded once from integers. Cells with the same sphere have the same
+// vertex, of which each has a number of its own, within its error. Here it shows, too, which cells of the diagram need
+// no clipping: of those all vertices are certainly inside of all walls, and none is at infinity.
+// Doors: paradt__centres_make, paradt__centre_of, paradt__centres_agree, paradt__centres_differ.
+
+PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
+    return paradt__row_centre(paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(d)), d);
+}
+
+// Computes the centre of a cell from integers. Returns 0 if the cell is flat.
+PARADT__NOINLINE int paradt__centre_exact(const paradt__diagram *g, const paradt_index *vertices, double *centre) {
+    const double *p[PARADT_MAX_DIM + 1];
+    double w[PARADT_MAX_DIM + 1], radius2, largest = 0;
+    int d = g->d, i, exact = 1;
+    paradt__face face;
+    paradt__sphere_of sphere;
+    for (i = 0; i <= d; i++) {
+        p[i] = paradt__record(&g->set, vertices[i]);
+        w[i] = g->weighted ? p[i][d] : 0;
+    }
+    sphere.centre = centre;
+    paradt__face_begin(&face, d, p, g->weighted ? w : NULL);
+    if (!paradt__face_run(&face, paradt__use_for_circumsphere, &sphere)) return 0;
+    radius2 = sphere.radius2;
+    (void)radius2;
+    for (i = 0; i < d; i++) {
+        if (g->shift && paradt__is_finite(centre[i])) centre[i] = paradt__scale(centre[i], -g->shift, &exact);
+        largest = paradt__larger(largest, paradt__abs(centre[i]));
+    }
+    centre[d] = largest * PARADT__ROUNDOFF + g->tiny;
+    if (!(largest < paradt__power(1000))) centre[d] = HUGE_VAL;
+    return 1;
+}
+
+// Computes the centre of a cell. Returns 0 if the cell is flat.
+PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt_index *vertices, double *centre,
+                                          int d) {
+    paradt__halfspace planes[PARADT_MAX_DIM];
+    const paradt__halfspace *h[PARADT_MAX_DIM];
+    const double *base = paradt__diagram_point(g, vertices[0]);
+    double y[PARADT_MAX_DIM + 1], largest = 0;
+    int i, known;
+    PARADT__UNROLL
+    for (i = 0; i < d; i++) {
+        paradt__diagram_bisector(g, vertices[0], vertices[i + 1], planes + i, d);
+        h[i] = planes + i;
+    }
+    known = paradt__diagram_meet(g, h, d, 0, y);
+    PARADT__UNROLL
+    for (i = 0; i < d; i++) {
+        centre[i] = base[i] + y[i];
+        largest = paradt__larger(largest, paradt__abs(centre[i]));
+    }
+    centre[d] = y[d] + PARADT__ROUNDOFF * largest;
+    if (known || y[d] <= 8 * PARADT__ROUNDOFF * largest) return 1;
+    return paradt__centre_exact(g, vertices, centre);
+}
+
+// Is a place certainly inside of all walls?
+PARADT__INLINE int paradt__centre_is_inside(const paradt__diagram *g, const double *centre, int d) {
+    size_t i = 0;
+    double bound = 2 * centre[d] + g->tiny;
+    int j, inside = 1;
+    for (; i < 2 * (size_t)d && i < g->wall_count; i++) { // of the box
+        const paradt__voronoi_wall *wall = g->walls + i;
+        double x = centre[wall->axis];
+        double room = i < (size_t)d ? x + wall->scaled_offset : wall->scaled_offset - x;
+        inside &= wall->far | (room > bound);
+    }
+    for (; i < g->wall_count && inside; i++) {
+        const paradt__voronoi_wall *wall = g->walls + i;
+        double value = -wall->scaled_offset, size = paradt__abs(wall->scaled_offset), sum = 0;
+        for (j = 0; j < d; j++) {
+            value += wall->scaled_normal[j] * centre[j];
+            size += paradt__abs(wall->scaled_normal[j] * centre[j]);
+            sum += paradt__abs(wall->scaled_normal[j]);
+        }
+        inside = !wall->inexact && value < -(sum * bound + size * PARADT__ROUNDOFF * 16);
+    }
+    return inside;
+}
+
+typedef struct paradt__centring {
+    paradt__diagram *g;
+    const paradt__team *team;
+    paradt_status status[PARADT__MOST_TASKS];
+} paradt__centring;
+
+PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t task, int d) {
+    const paradt__diagram *g = centring->g;
+    size_t cell, end = paradt__loader_range(centring->team, g->cells, task, &cell), first = cell;
+    int i;
+    for (; cell < end; cell++) {
+        const paradt_index *vertices = paradt__row_vertices(g, cell, PARADT__ROW_BYTES(d));
+        double *centre = paradt__row_centre(vertices, d);
+        if (cell % PARADT__DIAGRAM_PACE == 0 &&
+            paradt__team_cancels(centring->team, task, (double)(cell - first) / (double)(end - first)))
+            return;
+        if (!paradt__centre_compute(g, vertices, centre, d)) {
+            centring->status[task] = PARADT_ERROR_INVALID;
+            return;
+        }
+        if (paradt__centre_is_inside(g, centre, d)) continue;
+        for (i = 0; i <= d; i++) {
+            unsigned char *kind = &g->kind[vertices[i]], known = PARADT__ATOMIC_LOAD(kind);
+            if (!(known & PARADT__CELL_CLIPPED))
+                PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
+        }
+    }
+}
+
+PARADT__HOT void paradt__centres_task(void *context, size_t task) {
+    paradt__centring *centring = (paradt__centring *)context;
+    if (centring->g->d == 2) paradt__centres_of_task(centring, task, 2);
+    else paradt__centres_of_task(centring, task, 3);
+}
+
+// Makes the centres of all cells of a triangulation that is as wide as space, and finds the cells of the diagram that
+// may have to be clipped.
+static paradt_status paradt__centres_make(paradt__diagram *g, const paradt__team *team) {
+    paradt__centring centring;
+    size_t task;
+    centring.g = g;
+    centring.team = team;
+    memset(centring.status, 0, sizeof centring.status);
+    paradt__team_run(team, paradt__centres_task, &centring);
+    if (paradt__team_cancelled(team)) return PARADT_ERROR_CANCELLED;
+    for (task = 0; task < team->tasks; task++) {
+        if (centring.status[task]) return centring.status[task];
+    }
+    return PARADT_OK;
+}
+
+// Have a cell and its neighbour at a place the same sphere?
+PARADT__NOINLINE int paradt__centres_agree(const paradt__diagram *g, paradt__space *space, size_t cell, int place) {
+    const paradt_index corners = g->d + 1, *row = paradt__row_vertices(g, cell, g->row_bytes);
+    paradt_index link = row[corners + place], other = link / corners, i;
+    const double *p[PARADT_MAX_DIM + 2];
+    for (i = 0; i < corners; i++) p[i] = paradt__record(&g->set, row[i]);
+    p[corners] = paradt__record(&g->set, paradt__row_vertices(g, (size_t)other, g->row_bytes)[link % corners]);
+    return !paradt__insphere(space, p);
+}
+
+// Are two centres certainly different?
+PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int d) {
+    double error = (a[d] + b[d]) * (1 + 4 * PARADT__ROUNDOFF);
+    int j, differ = 0;
+    PARADT__UNROLL
+    for (j = 0; j < d; j++) differ |= paradt__abs(a[j] - b[j]) * (1 - 4 * PARADT__ROUNDOFF) > error;
+    return differ;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Voronoi faces
+//
+// Faces that nothing clips, of cells of which at least one is not clipped, in two and three dimensions; and from these
+// the volumes of cells: V(p) is the sum over its faces of h A / d, where h is the signed distance of the face's plane
+// from p, and A the face's measure. In space the face between p and q is the polygon of the vertices of the cells
+// around the edge p q. These rings are walked along the cells, whose order in memory is that of space: an edge belongs
+// to the first cell around it, and a mark at each cell tells which of its edges are done.
+//
+// A face is there if it has d different vertices: these are corners of a convex polygon, so that three are not in a
+// line. Most differ by more than their errors; otherwise the spheres of neighbouring cells are compared exactly.
+//
+// Errors. Let the vertices of a polygon with m corners err by at most e in each coordinate, and let s be the largest
+// coordinate of a difference to the first of them. A difference errs by 2 e + u s, u the roundoff, so a coordinate of
+// the cross product of two of them by 4 s (2 e + u s) + 2 (2 e + u s)^2 + 6 u s^2, and the sum of m - 2 of them by m -
+// 2 times that and m u times its size, 2 s^2 for each. What follows multiplies these.
+//
+// The cells of the triangulation are divided into chunks, whose number depends on how many they are alone, and sums of
+// chunks are added in order: so the result does not depend on the number of tasks.
+// Doors: paradt__faces_make, paradt__face_list_*, paradt__tally_*, struct paradt__face_list, struct paradt__voronoi_tally.
+
+enum { PARADT__CHUNKS = PARADT__MOST_TASKS, PARADT__CHUNK_CELLS = 10000 };
+
+// A list of faces
+typedef struct paradt__face_list {
+    size_t count, capacity;
+    int d;
+    unsigned wants;      // PARADT_VORONOI_* bits
+    paradt_index *sides; // [capacity][2]
+    double *areas;       // [capacity]
+    double *centroids;   // [capacity][d] NaN where there is none
+    double *normals;     // [capacity][d]
+    paradt_index *cell;  // [capacity] of faces that nothing clips: the first cell around the edge,
+    unsigned char *edge; // ... and which of its edges
+    paradt__memory *memory;
+} paradt__face_list;
+
+static void paradt__face_list_begin(paradt__face_list *list, int d, unsigned wants, paradt__memory *memory) {
+    memset(list, 0, sizeof *list);
+    list->d = d;
+    list->wants = wants;
+    list->memory = memory;
+}
+
+static void paradt__face_list_free(paradt__face_list *list) {
+    paradt__release(list->memory, list->sides);
+    paradt__release(list->memory, list->areas);
+    paradt__release(list->memory, list->centroids);
+    paradt__release(list->memory, list->normals);
+    paradt__release(list->memory, list->cell);
+    paradt__release(list->memory, list->edge);
+    paradt__face_list_begin(list, list->d, list->wants, list->memory);
+}
+
+static int paradt__face_list_grow_one(paradt__face_list *list, void *array_of, size_t capacity, size_t size) {
+    void *array;
+    memcpy(&array, array_of, sizeof array);
+    if (!paradt__grow(list->memory, &array, list->count, capacity, size)) return 0;
+    memcpy(array_of, &array, sizeof array);
+    return 1;
+}
+
+// Makes room for `more` faces.
+PARADT__NOINLINE paradt_status paradt__face_list_grow(paradt__face_list *list, size_t more) {
+    const unsigned measures = list->wants & PARADT_VORONOI_AREAS, rings = list->wants & PARADT_VORONOI_POLYGONS;
+    size_t capacity = list->count + more, vector = (size_t)list->d * sizeof(double);
+    if (capacity < list->capacity + list->capacity / 2) capacity = list->capacity + list->capacity / 2;
+    if (!paradt__face_list_grow_one(list, &list->sides, capacity, 2 * sizeof *list->sides)) return PARADT_ERROR_MEMORY;
+    if (measures && (!paradt__face_list_grow_one(list, &list->areas, capacity, sizeof(double)) ||
+                     !paradt__face_list_grow_one(list, &list->centroids, capacity, vector) ||
+                     !paradt__face_list_grow_one(list, &list->normals, capacity, vector)))
+        return PARADT_ERROR_MEMORY;
+    if (rings && (!paradt__face_list_grow_one(list, &list->cell, capacity, sizeof *list->cell) ||
+                  !paradt__face_list_grow_one(list, &list->edge, capacity, 1)))
+        return PARADT_ERROR_MEMORY;
+    list->capacity = capacity;
+    return PARADT_OK;
+}
+
+PARADT__INLINE paradt_status paradt__face_list_room(paradt__face_list *list, size_t more) {
+    return PARADT__LIKELY(list->count + more <= list->capacity) ? PARADT_OK : paradt__face_list_grow(list, more);
+}
+
+// What is summed up for each point: its cell's volume, the volume's error, and with `moments` the integral of y
+typedef struct paradt__voronoi_tally {
+    int width;    // 2, or 2 + d with moments
+    double *sums; // [points][width]
+} paradt__voronoi_tally;
+
+PARADT__INLINE double *paradt__tally_of(const paradt__voronoi_tally *tally, paradt_index point) {
+    return tally->sums + (size_t)point * (size_t)tally->width;
+}
+
+// Adds the sums of a chunk to the total, and clears them.
+static void paradt__tally_join(const paradt__voronoi_tally *total, const paradt__voronoi_tally *part, size_t points) {
+    size_t i, count = points * (size_t)total->width;
+    for (i = 0; i < count && total->sums; i++) {
+        total->sums[i] += part->sums[i];
+        part->sums[i] = 0;
+    }
+}
+
+// --- a ring around an edge
+
+// For each edge of a cell: the places of p and q, and of the two other vertices, so that the order is even
+static const unsigned char paradt__ring_edges[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
+                                                       {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
+
+// The mark of an edge by the places of the two vertices that are not on it
+static const unsigned char paradt__ring_marks[4][4] = {{0, 32, 16, 8}, {32, 0, 4, 2}, {16, 4, 0, 1}, {8, 2, 1, 0}};
+
+typedef struct paradt__ring {
+    double area[3];   // twice the area as a vector along the edge
+    double moment[3]; // the sum over the fan's triangles of what they add to `along`, times the sum of two corners
+    double along;     // the sum of the triangles' areas, in the direction of the normal
+    double size, error;
+    int corners, changes; // changes: how many times neighbours certainly differ
+} paradt__ring;
+
+// Walks around an edge, from a cell to itself, and marks the edge at all cells of the chunk. Returns 0 if one of the
+// cells comes before the first cell of the walk. moments: are they wanted?
+PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *done, size_t begin, size_t end,
+                                     paradt_index cell, int edge, const double *normal, paradt__ring *ring,
+                                     int moments) {
+    const unsigned char *places = paradt__ring_edges[edge];
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
+    const double *first = paradt__row_centre(row, 3), *last = first, *next;
+    paradt_index at = cell, kept = row[places[3]], handle;
+    int cross = places[2], j;
+    double a[3] = {0}, b[3], area[3] = {0}, moment[3] = {0}, along = 0, size = 0, error = first[3];
+    int corners = 0, changes = 0;
+    do {
+        handle = row[4 + cross];
+        at = handle >> 2;
+        row = paradt__row_vertices(g, (size_t)at, PARADT__ROW_BYTES(3));
+        cross = paradt__given_place(row, kept, 4);
+        kept = row[handle & 3];
+        if (at < cell) return 0;
+        if ((size_t)at < end) done[at] |= paradt__ring_marks[cross & 3][handle & 3];
+        next = paradt__row_centre(row, 3);
+        changes += paradt__centres_differ(last, next, 3);
+        corners++;
+        b[0] = next[0] - first[0], b[1] = next[1] - first[1], b[2] = next[2] - first[2];
+        error = paradt__larger(error, next[3]);
+        {
+            double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+            area[0] += x, area[1] += y, area[2] += z;
+            if (moments) {
+                double part = x * normal[0] + y * normal[1] + z * normal[2];
+                along += part;
+                moment[0] += part * (a[0] + b[0]);
+                moment[1] += part * (a[1] + b[1]);
+                moment[2] += part * (a[2] + b[2]);
+            }
+        }
+        size = paradt__larger(paradt__larger(size, paradt__abs(b[0])),
+                              paradt__larger(paradt__abs(b[1]), paradt__abs(b[2])));
+        a[0] = b[0], a[1] = b[1], a[2] = b[2];
+        last = next;
+    } while (at != cell);
+    (void)begin;
+    for (j = 0; j < 3; j++) ring->area[j] = area[j], ring->moment[j] = moment[j];
+    ring->along = along;
+    ring->size = size;
+    ring->error = error;
+    ring->corners = corners;
+    ring->changes = changes;
+    return 1;
+}
+
+// How many different vertices has the polygon around an edge? Up to three are counted.
+PARADT__NOINLINE int paradt__ring_changes(const paradt__diagram *g, paradt__space *space, paradt_index cell, int edge) {
+    const unsigned char *places = paradt__ring_edges[edge];
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3)), *last;
+    paradt_index at = cell, kept = row[places[3]], handle;
+    int cross = places[2], changes = 0;
+    do {
+        handle = row[4 + cross];
+        last = row;
+        row = paradt__row_vertices(g, (size_t)(handle >> 2), PARADT__ROW_BYTES(3));
+        if (paradt__centres_differ(paradt__row_centre(last, 3), paradt__row_centre(row, 3), 3) ||
+            !paradt__centres_agree(g, space, (size_t)at, cross))
+            changes++;
+        at = handle >> 2;
+        cross = paradt__given_place(row, kept, 4);
+        kept = row[handle & 3];
+    } while (at != cell && changes < 3);
+    return changes;
+}
+
+// --- faces of a chunk
+
+typedef struct paradt__facing {
+    paradt__diagram *g;
+    const paradt__team *team;
+    unsigned wants;
+    size_t chunks;
+    unsigned char *done;                 // [cells] marks of edges
+    paradt__voronoi_tally tally[PARADT__CHUNKS]; // of chunks; of one task alone only the first is there
+    paradt__voronoi_tally total;
+    paradt__face_list *list;                   // [chunks]
+    paradt__memory memory[PARADT__MOST_TASKS]; // of tasks
+    paradt__space space[PARADT__MOST_TASKS];
+    paradt_status status[PARADT__MOST_TASKS];
+} paradt__facing;
+
+// Appends a face between two points, for which there is room. measure: of the face, times |a|
+PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index p, paradt_index q, double measure,
+                                          const double *a, double length, const double *centroid, int d) {
+    size_t at = list->count++;
+    int j;
+    list->sides[2 * at] = p;
+    list->sides[2 * at + 1] = q;
+    if (!(list->wants & PARADT_VORONOI_AREAS)) return;
+    list->areas[at] = measure / length;
+    for (j = 0; j < d; j++) {
+        list->normals[at * (size_t)d + (size_t)j] = a[j] / length;
+        list->centroids[at * (size_t)d + (size_t)j] = centroid[j];
+    }
+}
+
+// Adds a face to the cells of p and q. normal: q - p; measure: of the face, times |normal|, which errs by `error`;
+// where: the face's centroid
+PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const paradt__voronoi_tally *tally, paradt_index p,
+                                       paradt_index q, const double *normal, double measure, double error,
+                                       const double *where, int d) {
+    const paradt__diagram *g = facing->g;
+    const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    double square = 0, size, part;
+    int side, j;
+    PARADT__UNROLL
+    for (j = 0; j < d; j++) square += normal[j] * normal[j];
+    part = 1 / (2 * d * square);
+    PARADT__UNROLL
+    for (side = 0; side < 2; side++) { // (h |normal|) (A |normal|) / (d |normal|^2)
+        double *sums = paradt__tally_of(tally, side ? q : p), offset = square, volume;
+        size = square;
+        if (g->weighted) {
+            offset = square + (side ? to[d] - from[d] : from[d] - to[d]);
+            size = square + (paradt__abs(from[d]) + paradt__abs(to[d]));
+        }
+        volume = offset * measure * part;
+        sums[0] += volume;
+        sums[1] += (paradt__abs(offset) * error + 32 * PARADT__ROUNDOFF * size * paradt__abs(measure)) * part * 1.01;
+        if (tally->width == 2) continue;
+        for (j = 0; j < d; j++) sums[2 + j] += volume * ((double)d / (d + 1)) * (where[j] - (side ? to[j] : from[j]));
+    }
+}
+
+// Measures the face around an edge of a cell in space, and adds it to what it belongs to.
+PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, paradt__voronoi_tally *tally,
+                                                   paradt__face_list *list, paradt__space *space, size_t begin,
+                                                   size_t end, paradt_index cell, int edge, int moments) {
+    const paradt__diagram *g = facing->g;
+    const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
+    paradt_index p = vertices[paradt__ring_edges[edge][0]], q = vertices[paradt__ring_edges[edge][1]];
+    const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    const double *first = paradt__row_centre(vertices, 3);
+    double normal[3], where[3] = {0}, measure, step, error;
+    paradt__ring ring;
+    int j, turns;
+    for (j = 0; j < 3; j++) normal[j] = to[j] - from[j];
+    if (!paradt__ring_walk(g, facing->done, begin, end, cell, edge, normal, &ring, moments)) return PARADT_OK;
+    if (ring.changes < 3 && paradt__ring_changes(g, space, cell, edge) < 3) return PARADT_OK;
+    turns = ring.corners - 2;
+    measure = 0.5 * (ring.area[0] * normal[0] + ring.area[1] * normal[1] + ring.area[2] * normal[2]);
+    step = 2 * ring.error + PARADT__ROUNDOFF * ring.size;
+    error =
+        turns * (4 * ring.size * step + 2 * step * step + (16 + 2 * turns) * PARADT__ROUNDOFF * ring.size * ring.size) +
+        g->tiny;
+    error *= 0.5 * (paradt__abs(normal[0]) + paradt__abs(normal[1]) + paradt__abs(normal[2]));
+    for (j = 0; j < 3 && moments; j++) where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
+    if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 3);
+    if (!list) return PARADT_OK;
+    if (list->wants & PARADT_VORONOI_POLYGONS) {
+        list->cell[list->count] = cell;
+        list->edge[list->count] = (unsigned char)edge;
+    }
+    paradt__face_list_add(list, p, q, measure, normal,
+                          list->wants & PARADT_VORONOI_AREAS
+                              ? sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
+                              : 1,
+                          where, 3);
+    return PARADT_OK;
+}
+
+// Fetches the rows of the neighbours of a cell, and of theirs for a cell whose neighbours have been fetched.
+PARADT__INLINE void paradt__ring_fetch(const paradt__diagram *g, size_t cell, size_t sooner) {
+    const size_t bytes = PARADT__ROW_BYTES(3);
+    const paradt_index *row;
+    int i, j;
+    if (cell >= g->cells) return;
+    row = paradt__row_vertices(g, cell, bytes) + 4;
+    for (i = 0; i < 4; i++) PARADT__FETCH(g->rows, (size_t)(row[i] < 0 ? 0 : row[i] >> 2) * bytes);
+    row = paradt__row_vertices(g, sooner, bytes) + 4;
+    for (i = 0; i < 4; i++) {
+        const paradt_index *next = paradt__row_vertices(g, (size_t)(row[i] < 0 ? 0 : row[i] >> 2), bytes) + 4;
+        for (j = 0; j < 4; j++) PARADT__FETCH(g->rows, (size_t)(next[j] < 0 ? 0 : next[j] >> 2) * bytes);
+    }
+}
+
+PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, paradt__voronoi_tally *tally,
+                                                    paradt__face_list *list, size_t task, size_t begin, size_t end,
+                                                    int moments) {
+    enum { ROWS_AHEAD = 24, NEXT_AHEAD = 12 };
+    const paradt__diagram *g = facing->g;
+    size_t cell;
+    int edge;
+    for (cell = begin; cell < end; cell++) {
+        const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
+        unsigned inner = 0, todo = 63u & ~(unsigned)facing->done[cell];
+        paradt__ring_fetch(g, cell + ROWS_AHEAD, cell + NEXT_AHEAD);
+        if (cell % PARADT__DIAGRAM_PACE == 0 &&
+            paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
+            return PARADT_ERROR_CANCELLED;
+        if (!todo) continue;
+        for (edge = 0; edge < 4; edge++) inner |= (unsigned)!(g->kind[vertices[edge]] & PARADT__CELL_CLIPPED) << edge;
+        if (list) {
+            paradt_status status = paradt__face_list_room(list, 6);
+            if (status) return status;
+        }
+        for (edge = 0; edge < 6; edge++) {
+            const unsigned char *places = paradt__ring_edges[edge];
+            if (!(todo >> edge & 1) || !((inner >> places[0] | inner >> places[1]) & 1)) continue;
+            paradt__face_in_space(facing, tally, list, &facing->space[task], begin, end, (paradt_index)cell, edge,
+                                  moments);
+        }
+    }
+    return PARADT_OK;
+}
+
+// The same in the plane, where a face is the segment between the centres of two neighbours.
+PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, paradt__voronoi_tally *tally,
+                                                    paradt__face_list *list, size_t task, size_t begin, size_t end) {
+    const paradt__diagram *g = facing->g;
+    size_t cell;
+    int i, j;
+    for (cell = begin; cell < end; cell++) {
+        const paradt_index *vertices = paradt__row_vertices(g, cell, PARADT__ROW_BYTES(2));
+        const double *first = paradt__row_centre(vertices, 2);
+        if (cell % PARADT__DIAGRAM_PACE == 0 &&
+            paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
+            return PARADT_ERROR_CANCELLED;
+        if (list) {
+            paradt_status status = paradt__face_list_room(list, 3);
+            if (status) return status;
+        }
+        for (i = 0; i < 3; i++) {
+            paradt_index p = vertices[(i + 1) % 3], q = vertices[(i + 2) % 3], link = vertices[3 + i];
+            size_t other = (size_t)link / 3;
+            const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+            const double *second;
+            double normal[2], along[2], where[2], measure, size, error;
+            if (link < 0 || other < cell || g->kind[p] & g->kind[q] & PARADT__CELL_CLIPPED) continue;
+            second = paradt__centre_of(g, (paradt_index)other, 2);
+            if (!paradt__centres_differ(first, second, 2) && paradt__centres_agree(g, &facing->space[task], cell, i))
+                continue;
+            for (j = 0; j < 2; j++) {
+                normal[j] = to[j] - from[j];
+                along[j] = first[j] - second[j];
+                where[j] = second[j] + 0.5 * along[j];
+            }
+            size = paradt__larger(paradt__abs(along[0]), paradt__abs(along[1]));
+            measure = normal[0] * along[1] - normal[1] * along[0];
+            error = (paradt__abs(normal[0]) + paradt__abs(normal[1])) *
+                    ((first[2] + second[2]) + 8 * PARADT__ROUNDOFF * size + g->tiny);
+            if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 2);
+            if (!list) continue;
+            if (list->wants & PARADT_VORONOI_POLYGONS) {
+                list->cell[list->count] = (paradt_index)cell;
+                list->edge[list->count] = (unsigned char)i;
+            }
+            paradt__face_list_add(list, p, q, measure, normal, sqrt(normal[0] * normal[0] + normal[1] * normal[1]),
+                                  where, 2);
+        }
+    }
+    return PARADT_OK;
+}
+
+PARADT__HOT void paradt__faces_task(void *context, size_t task) {
+    paradt__facing *facing = (paradt__facing *)context;
+    const paradt__diagram *g = facing->g;
+    size_t chunk, step = facing->team->tasks;
+    int moments = (facing->wants & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS)) != 0;
+    paradt_status status = PARADT_OK;
+    for (chunk = task; chunk < facing->chunks && !status; chunk += step) {
+        size_t begin = g->cells / facing->chunks * chunk, slot = step == 1 ? 0 : chunk;
+        size_t end = chunk + 1 == facing->chunks ? g->cells : g->cells / facing->chunks * (chunk + 1);
+        paradt__voronoi_tally *tally = &facing->tally[slot];
+        paradt__face_list *list = facing->list ? &facing->list[slot] : NULL;
+        if (g->d == 2) status = paradt__faces_in_plane(facing, tally, list, task, begin, end);
+        else if (moments) status = paradt__faces_in_space(facing, tally, list, task, begin, end, 1);
+        else status = paradt__faces_in_space(facing, tally, list, task, begin, end, 0);
+        if (step == 1 && facing->chunks > 1) paradt__tally_join(&facing->total, tally, g->set.count);
+    }
+    facing->status[task] = status;
+}
+
+// Moves the faces of a list behind those of another.
+static paradt_status paradt__face_list_join(paradt__face_list *list, const paradt__face_list *more) {
+    size_t d = (size_t)list->d, at = list->count, count = more->count;
+    paradt_status status = paradt__face_list_room(list, count);
+    if (status || !count) return status;
+    memcpy(list->sides + 2 * at, more->sides, 2 * count * sizeof *more->sides);
+    if (list->wants & PARADT_VORONOI_AREAS) {
+        memcpy(list->areas + at, more->areas, count * sizeof(double));
+        memcpy(list->centroids + at * d, more->centroids, count * d * sizeof(double));
+        memcpy(list->normals + at * d, more->normals, count * d * sizeof(double));
+    }
+    if (list->wants & PARADT_VORONOI_POLYGONS) {
+        memcpy(list->cell + at, more->cell, count * sizeof *more->cell);
+        memcpy(list->edge + at, more->edge, count);
+    }
+    list->count += count;
+    return PARADT_OK;
+}
+
+// Ends the tasks: what they have summed up and listed comes together in order.
+static paradt_status paradt__faces_end(paradt__facing *facing, paradt__voronoi_tally *total, paradt__face_list *list,
+                                       size_t slots) {
+    paradt__diagram *g = facing->g;
+    uint64_t peaks = 0;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    for (i = 0; i < facing->team->tasks && !status; i++) status = facing->status[i];
+    for (i = 0; i < slots && facing->chunks > 1; i++) {
+        if (!status && slots > 1) paradt__tally_join(total, &facing->tally[i], g->set.count);
+        paradt__release(g->memory, facing->tally[i].sums);
+    }
+    for (i = 0; i < facing->team->tasks; i++) paradt__memory_join(g->memory, &facing->memory[i], &peaks);
+    for (i = 0; i < slots && facing->list; i++) {
+        facing->list[i].memory = g->memory;
+        if (!status && !i) {
+            *list = facing->list[0];
+            continue;
+        }
+        if (!status) status = paradt__face_list_join(list, &facing->list[i]);
+        paradt__face_list_free(&facing->list[i]);
+    }
+    return status;
+}
+
+// The number of edges of a triangulation of a ball, by Euler's formula; only a guess where something is wrong with it
+static size_t paradt__edges_expected(const paradt__diagram *g) {
+    return g->set.count + g->cells + g->hull / 2;
+}
+
+// Measures all faces of which one of the cells is not clipped.
+//   total  what the cells have of them is added; sums NULL: not wanted
+//   list   NULL, or a list that gets them, empty at first
+static paradt_status paradt__faces_make(paradt__diagram *g, const paradt__team *team, unsigned wants,
+                                        paradt__voronoi_tally *total, paradt__face_list *list) {
+    paradt__facing facing;
+    paradt__face_list lists[PARADT__CHUNKS];
+    size_t i, slots, bytes = g->set.count * (size_t)total->width * sizeof(double);
+    paradt_status status = PARADT_OK;
+    memset(&facing, 0, sizeof facing);
+    facing.g = g;
+    facing.team = team;
+    facing.wants = wants;
+    facing.chunks = g->cells < PARADT__CHUNK_CELLS ? 1 : PARADT__CHUNKS;
+    slots = team->tasks == 1 ? 1 : facing.chunks;
+    facing.list = list ? lists : NULL;
+    facing.total = *total;
+    facing.done = (unsigned char *)paradt__alloc(g->memory, g->cells, 1);
+    if (!facing.done) return PARADT_ERROR_MEMORY;
+    memset(facing.done, 0, g->cells);
+    for (i = 0; i < slots; i++) {
+        facing.tally[i] = *total;
+        if (facing.chunks > 1 && total->sums && !status) {
+            facing.tally[i].sums = (double *)paradt__alloc(g->memory, bytes, 1);
+            if (facing.tally[i].sums) memset(facing.tally[i].sums, 0, bytes);
+            else status = PARADT_ERROR_MEMORY;
+        }
+    }
+    for (i = 0; i < team->tasks; i++) {
+        facing.space[i] = g->set.space;
+        facing.memory[i] = paradt__memory_fork(g->memory, team->tasks);
+    }
+    for (i = 0; i < slots; i++) paradt__face_list_begin(&lists[i], g->d, wants, &facing.memory[i % team->tasks]);
+    if (list && slots == 1 && !status) status = paradt__face_list_grow(&lists[0], paradt__edges_expected(g) + 8);
+    if (!status) paradt__team_run(team, paradt__faces_task, &facing);
+    else facing.status[0] = status;
+    status = paradt__faces_end(&facing, total, list, slots);
+    paradt__release(g->memory, facing.done);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>planes of a cell
+//
+// Where planes of the cell of a point p meet, and on which side of another plane, in integers: what floating point left
+// undecided. Let 2^u divide all coordinates and 2^2u all weights that matter. With a = 2^u A, |a|^2 + w_p - w_q = 2^2u
+// L and z = 2^(1 - u) y the plane between p and q is A . z = L. A wall's normal is 2^v B, where v is so small that 2^(u
+// + v - 1) divides o, and the wall is B . z = C with o - n . p = 2^(u + v - 1) C. A far wall of the normal B is B . z =
+// M.
+//
+// Let d planes meet in y, their normals positively oriented as rows. The determinant of their rows and another plane's,
+// each of a normal and an offset, is then positive if y is strictly inside of that plane, and 0 if it is on it. With
+// far walls the offsets of the others count as 0 first; if that determinant is 0, those of the far walls do. By
+// Cramer's rule y is 2^(u - 1) times a quotient of determinants. Doors: paradt__exact_above, paradt__exact_meet,
+// paradt__exact_free, struct paradt__exact_work.
+
+// Memory of a task for integers
+typedef struct paradt__exact_work {
+    paradt__memory *memory;
+    paradt__digit *digits;
+    paradt__wide *sum;
+    size_t digits_room, sum_room;
+    paradt_status status; // MEMORY: there was none, and what is returned means nothing
+} paradt__exact_work;
+
+static void paradt__exact_free(paradt__exact_work *work) {
+    paradt__release(work->memory, work->digits);
+    paradt__release(work->memory, work->sum);
+    work->digits = NULL;
+    work->sum = NULL;
+    work->digits_room = work->sum_room = 0;
+}
+
+// The rows of some planes of a cell
+typedef struct paradt__exact_rows {
+    const paradt__diagram *g;
+    const double *base; // p
+    int n;
+    const paradt__halfspace *plane[PARADT__MAX_ROWS];
+    int unit, bits;                  // 2^unit divides all coordinates; normals are below 2^bits
+    int offset_bits;                 // and offsets below 2^offset_bits
+    int wall_unit[PARADT__MAX_ROWS]; // v of a wall
+} paradt__exact_rows;
+
+PARADT__INLINE const paradt__voronoi_wall *paradt__exact_wall(const paradt__exact_rows *rows, int i) {
+    return rows->g->walls + (size_t)(-1 - rows->plane[i]->side);
+}
+
+// Begins rows: finds the units and how many bits numbers have.
+static void paradt__exact_begin(paradt__exact_rows *rows, const paradt__diagram *g, paradt_index p, int n,
+                                const paradt__halfspace *const *planes) {
+    paradt__range x = paradt__no_range, w = paradt__no_range;
+    int d = g->d, i, j, top;
+    rows->g = g;
+    rows->base = paradt__record(&g->set, p);
+    rows->n = n;
+    for (j = 0; j < d; j++) paradt__measure(&x, rows->base[j]);
+    if (g->weighted) paradt__measure(&w, rows->base[d]);
+    for (i = 0; i < n; i++) {
+        const double *q;
+        rows->plane[i] = planes[i];
+        if (planes[i]->side < 0) continue;
+        q = paradt__record(&g->set, planes[i]->side);
+        for (j = 0; j < d; j++) paradt__measure(&x, q[j]);
+        if (g->weighted) paradt__measure(&w, q[d]);
+    }
+    if (x.unit > x.top) x.unit = x.top = 0;
+    rows->unit = paradt__min(x.unit, (w.unit - (w.unit & 1)) / 2);
+    rows->bits = x.top + 1 - rows->unit;
+    top = x.top - rows->unit;
+    rows->offset_bits = paradt__max(2 * rows->bits + 4, w.top + 2 - 2 * rows->unit);
+    for (i = 0; i < n; i++) {
+        paradt__range normal = paradt__no_range, offset = paradt__no_range;
+        const paradt__voronoi_wall *wall;
+        int v;
+        if (planes[i]->side >= 0) continue;
+        wall = paradt__exact_wall(rows, i);
+        for (j = 0; j < d; j++) paradt__measure(&normal, wall->normal[j]);
+        if (!wall->far) paradt__measure(&offset, wall->offset);
+        v = normal.unit;
+        if (offset.unit <= offset.top) v = paradt__min(v, offset.unit - rows->unit + 1);
+        rows->wall_unit[i] = v;
+        rows->bits = paradt__max(rows->bits, normal.top - v);
+        // o and the 2 d <= 16 products that make up 2 n . p
+        if (offset.unit <= offset.top) offset.top -= v + rows->unit - 1;
+        rows->offset_bits = paradt__max(rows->offset_bits, paradt__max(offset.top, normal.top - v + top + 5) + 1);
+    }
+}
+
+// --- numbers that fit
+
+// Fills small integers. Returns 0 if they do not fit.
+static int paradt__exact_small(const paradt__exact_rows *rows, paradt__fixed *f, int far) {
+    const paradt__diagram *g = rows->g;
+    int d = g->d, i, j;
+    uint64_t lost = 0;
+    if (rows->bits > 58 || rows->offset_bits > PARADT__WIDE_BITS - 5) return 0;
+    for (i = 0; i < rows->n; i++) {
+        const paradt__halfspace *plane = rows->plane[i];
+        paradt__wide offset = 0;
+        if (plane->side >= 0) {
+            const double *q = paradt__record(&g->set, plane->side);
+            for (j = 0; j < d; j++) {
+                int64_t x = paradt__fix(q[j], rows->unit, &lost) - paradt__fix(rows->base[j], rows->unit, &lost);
+                f->x[i][j] = x;
+                offset += (paradt__wide)x * x;
+            }
+            for (j = 0; j < 2 && g->weighted; j++) { // + w_p - w_q
+                double weight = j ? q[d] : rows->base[d];
+                int shift;
+                paradt__wide m = (paradt__wide)paradt__mantissa(weight, 2 * rows->unit, &shift);
+                m *= (paradt__wide)1 << shift;
+                offset += (paradt__bits(weight) >> 63) == (uint64_t)j ? m : -m;
+            }
+            if (far) offset = 0;
+        } else {
+            const paradt__voronoi_wall *wall = paradt__exact_wall(rows, i);
+            int shift, v = rows->wall_unit[i];
+            for (j = 0; j < d; j++) {
+                int64_t x = paradt__fix(wall->normal[j], v, &lost);
+                f->x[i][j] = x;
+                offset -= 2 * (paradt__wide)x * paradt__fix(rows->base[j], rows->unit, &lost);
+            }
+            if (!wall->far) {
+                paradt__wide m = (paradt__wide)paradt__mantissa(wall->offset, v + rows->unit - 1, &shift);
+                m *= (paradt__wide)1 << shift;
+                offset += paradt__bits(wall->offset) >> 63 ? -m : m;
+            }
+            if (far || wall->far) offset = far && wall->far;
+        }
+        f->lift[i] = offset;
+    }
+    PARADT_ASSERT(!lost);
+    return 1;
+}
+
+// --- numbers of any length
+
+static int paradt__exact_room(paradt__exact_work *work, size_t digits, size_t sum) {
+    if (digits > work->digits_room) {
+        paradt__release(work->memory, work->digits);
+        work->digits_room = 0;
+        work->digits = (paradt__digit *)paradt__alloc(work->memory, digits, sizeof *work->digits);
+        if (!work->digits) return 0;
+        work->digits_room = digits;
+    }
+    if (sum > work->sum_room) {
+        paradt__release(work->memory, work->sum);
+        work->sum_room = 0;
+        work->sum = (paradt__wide *)paradt__alloc(work->memory, sum, sizeof *work->sum);
+        if (!work->sum) return 0;
+        work->sum_room = sum;
+    }
+    return 1;
+}
+
+// Writes an offset, a number of `count` digits. scratch: for two numbers of `digits` digits
+static void paradt__exact_offset(const paradt__exact_rows *rows, int i, int far, paradt__digit *out, int count,
+                                 const paradt__digit *normal, int digits, paradt__digit *scratch, paradt__wide *sum) {
+    const paradt__diagram *g = rows->g;
+    const paradt__halfspace *plane = rows->plane[i];
+    int d = g->d, j, used = 8, is_far = plane->side < 0 && paradt__exact_wall(rows, i)->far;
+    paradt__clear_any(sum, count);
+    if (far || is_far) {
+        sum[0] = far && is_far;
+    } else if (plane->side >= 0) {
+        for (j = 0; j < d; j++, normal += digits) {
+            paradt__make_room(sum, count, &used, digits);
+            paradt__multiply_add_any(sum, 1, normal, digits, normal, digits);
+        }
+        if (g->weighted)
+            paradt__add_difference(sum, 1, rows->base[d], paradt__record(&g->set, plane->side)[d], 2 * rows->unit);
+    } else {
+        const paradt__voronoi_wall *wall = paradt__exact_wall(rows, i);
+        paradt__wide *number = sum + count; // room for one number more
+        for (j = 0; j < d; j++, normal += digits) {
+            paradt__clear_any(number, digits);
+            paradt__add_difference(number, 1, rows->base[j], 0, rows->unit);
+            paradt__store_any(scratch, number, digits);
+            paradt__make_room(sum, count, &used, 2 * digits);
+            paradt__multiply_add_any(sum, -1, normal, digits, scratch, digits);
+            paradt__multiply_add_any(sum, -1, normal, digits, scratch, digits);
+        }
+        paradt__add_difference(sum, 1, wall->offset, 0, rows->wall_unit[i] + rows->unit - 1);
+    }
+    paradt__store_any(out, sum, count);
+}
+
+// The determinant of the rows. column: of a normal's columns, one is left out (-1: none); offsets: is there a column of
+// offsets? Its digits are in the work's memory from `at` on. Returns how many of that memory are taken, 0: there is
+// none.
+static size_t paradt__exact_determinant(paradt__exact_work *work, const paradt__exact_rows *rows, int left_out,
+                                        int offsets, int far, size_t at, paradt__integer *out) {
+    const paradt__diagram *g = rows->g;
+    int d = g->d, i, j, columns = d - (left_out >= 0), n = rows->n, place;
+    paradt__determinant q = {0, 0, 0, 0, NULL, NULL};
+    paradt__layout y = {0, 0, 0, 0, 0, 0};
+    paradt__minors m;
+    const paradt__digit *made;
+    size_t row, needed, longest;
+    paradt__digit *normals, *out_rows, *numbers;
+    q.n = n, q.k = columns, q.d = columns;
+    y.bits = rows->bits;
+    y.digits = paradt__digit_count(y.bits);
+    y.lift_bits = rows->offset_bits;
+    y.lift_digits = paradt__digit_count(y.lift_bits);
+    PARADT_ASSERT(n == columns + offsets);
+    m.whole = &q, m.layout = &y, m.rows = NULL, m.first = 0;
+    row = (size_t)(columns * y.digits + offsets * y.lift_digits);
+    longest = (size_t)(paradt__minor_digits(&m, n) + y.lift_digits + 2 * y.digits + 8);
+    needed = at + longest + (size_t)n * row + (size_t)((d + 2) * y.digits) +
+             (size_t)(paradt__minors_space(&m, n, 0) + paradt__minors_space(&m, n, 1)) + 8;
+    if (at) { // what is there stays
+        if (needed > work->digits_room) return 0;
+    } else if (!paradt__exact_room(work, 4 * needed, 4 * longest)) {
+        work->status = PARADT_ERROR_MEMORY;
+        return 0;
+    }
+    out_rows = work->digits + at + longest;
+    normals = out_rows + (size_t)n * row;
+    numbers = normals + (size_t)((d + 2) * y.digits);
+    for (i = 0; i < n; i++) {
+        const paradt__halfspace *plane = rows->plane[i];
+        paradt__digit *to = out_rows + (size_t)i * row;
+        for (j = 0; j < d; j++) {
+            paradt__clear_any(work->sum, y.digits);
+            if (plane->side >= 0)
+                paradt__add_difference(work->sum, 1, paradt__record(&g->set, plane->side)[j], rows->base[j],
+                                       rows->unit);
+            else paradt__add_difference(work->sum, 1, paradt__exact_wall(rows, i)->normal[j], 0, rows->wall_unit[i]);
+            paradt__store_any(normals + j * y.digits, work->sum, y.digits);
+        }
+        for (j = 0, place = 0; j < d; j++) {
+            if (j == left_out) continue;
+            memcpy(to + place++ * y.digits, normals + j * y.digits, (size_t)y.digits * sizeof *to);
+        }
+        if (offsets)
+            paradt__exact_offset(rows, i, far, to + columns * y.digits, y.lift_digits, normals, y.digits,
+                                 normals + d * y.digits, work->sum);
+    }
+    m.rows = out_rows;
+    made = paradt__determinant_digits(&m, numbers, work->sum, 1, &place);
+    memcpy(work->digits + at, made, (size_t)place * sizeof *made);
+    while (place > 1 && !work->digits[at + (size_t)place - 1]) place--;
+    out->digits = work->digits + at;
+    out->count = place;
+    return at + (size_t)place;
+}
+
+// --- signs and places
+
+// The sign of the determinant of d + 1 planes
+static int paradt__exact_sign(paradt__exact_work *work, const paradt__exact_rows *rows, int far) {
+    int d = rows->g->d;
+    paradt__integer determinant;
+    if (d * rows->bits + rows->offset_bits + paradt__log_factorial[d + 1] <= PARADT__WIDE_BITS) {
+        paradt__fixed f;
+        if (paradt__exact_small(rows, &f, far)) return paradt__small_sign(&f, d + 1, d, d <= 3);
+    }
+    if (!paradt__exact_determinant(work, rows, -1, 1, far, 0, &determinant)) return 0;
+    return paradt__integer_sign(determinant);
+}
+
+// On which side of planes[d] do planes[0..d-1] meet, whose normals are positively oriented? 1: strictly outside, 0: on
+// it, -1: strictly inside. p: whose cell it is
+PARADT__COLD int paradt__exact_above(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
+                                     const paradt__halfspace *const *planes) {
+    paradt__exact_rows rows;
+    int i, far = 0, sign = 0;
+    paradt__exact_begin(&rows, g, p, g->d + 1, planes);
+    for (i = 0; i <= g->d; i++) far |= planes[i]->far;
+    if (far) sign = paradt__exact_sign(work, &rows, 1);
+    if (!sign) sign = paradt__exact_sign(work, &rows, 0);
+    return -sign;
+}
+
+// Finds where d planes meet. far: of y = A + M B finds B. Fills y[d], each the double nearest to the true one: of y in
+// scaled coordinates, or with `absolute` of p + y as the caller counts. Fills y[d] with a bound of the error.
+PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
+                                     const paradt__halfspace *const *planes, int far, int absolute, double *y) {
+    paradt__exact_rows rows;
+    paradt__integer determinant, numerator;
+    int d = g->d, j, digits;
+    size_t used, more;
+    double largest = 0;
+    paradt__exact_begin(&rows, g, p, d, planes);
+    digits = paradt__digit_count(rows.bits);
+    for (j = 0; j <= d; j++) y[j] = 0;
+    // the first call makes the room: of a numerator, which is longer than the determinant
+    if (!paradt__exact_determinant(work, &rows, d - 1, 1, far, 0, &numerator)) return;
+    used = paradt__exact_determinant(work, &rows, -1, 0, far, 0, &determinant);
+    if (!used || !paradt__integer_sign(determinant)) return;
+    for (j = 0; j < d; j++) {
+        paradt__quotient quotient;
+        more = paradt__exact_determinant(work, &rows, j, 1, far, used, &numerator);
+        PARADT_ASSERT(more);
+        if (!more) return;
+        if ((d - 1 - j) & 1 || absolute) { // N_j, and 2^(1 - u) p_j times the determinant
+            const paradt__digit one = 1;
+            paradt__digit *base = work->digits + more, *sum = base + digits;
+            int length = paradt__max(numerator.count, determinant.count + digits) + 2, used_up = 8;
+            paradt__clear_any(work->sum, digits);
+            paradt__add_difference(work->sum, 1, rows.base[j], 0, rows.unit);
+            paradt__store_any(base, work->sum, digits);
+            paradt__clear_any(work->sum, length);
+            paradt__multiply_add_any(work->sum, (d - 1 - j) & 1 ? -1 : 1, &one, 1, numerator.digits, numerator.count);
+            for (int twice = 0; twice < 2 && absolute; twice++) {
+                paradt__make_room(work->sum, length, &used_up, digits);
+                paradt__multiply_add_any(work->sum, 1, base, digits, determinant.digits, determinant.count);
+            }
+            paradt__store_any(sum, work->sum, length);
+            while (length > 1 && !sum[length - 1]) length--;
+            numerator.digits = sum;
+            numerator.count = length;
+            more += (size_t)(digits + length + 2);
+        }
+        quotient.a = numerator;
+        quotient.b = determinant;
+        quotient.a_sign = paradt__integer_sign(numerator);
+        quotient.b_sign = paradt__integer_sign(determinant);
+        quotient.exponent = far ? 0 : rows.unit - 1 - (absolute ? 0 : g->shift);
+        quotient.work = work->digits + more;
+        quotient.sum = work->sum;
+        y[j] = quotient.a_sign ? paradt__quotient_round(&quotient) : 0;
+        largest = paradt__larger(largest, paradt__abs(y[j]));
+    }
+    y[d] = PARADT__ROUNDOFF * largest + paradt__power(-1022);
+    if (!(largest < paradt__power(1000))) y[d] = HUGE_VAL;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>clipped cell
+//
+// The cell of a point p as the intersection of half-spaces, in any dimension: it begins as the box, which may have far
+// walls, and is clipped by planes one after another. The boundary's dual is a mesh: a vertex of the cell is a cell of
+// the mesh, with the numbers of the d planes that it is on, and links along the d edges that it is on, which leave one
+// plane each. Clipping is insertion into that mesh: the vertices outside of the plane are a cavity, and the plane is
+// joined with its rim (>>insertion).
+//
+// Only signs decide, exact ones. Each plane is thought to be shifted outward by an infinitesimal distance that is
+// overwhelmingly larger than those of all planes before it. So a vertex on a new plane is inside of it, every vertex is
+// on d planes, and no sign needs a rule for ties. What this adds to the true cell has no size: vertices that coincide,
+// and faces without a measure, which are told from others exactly in the end. Of planes that coincide the first one
+// counts. The normals of a vertex's planes, in the order of its row, are positively oriented throughout.
+//
+// The idea of a cell as planes with vertices that are triples of them is B. Levy's (Geogram's ConvexCell; Ray, Sokolov,
+// Lefebvre, Levy: Meshless Voronoi on the GPU, ACM Transactions on Graphics 37, 2018).
+// Doors: paradt__convex_*, struct paradt__convex.
+
+typedef struct paradt__convex {
+    const paradt__diagram *g;
+    paradt_index p;
+    int d;
+    paradt__insertion build;   // its mesh is the boundary's dual; rim and update are those of the last plane
+    paradt__halfspace *planes; // [plane_capacity]
+    size_t plane_count, plane_capacity;
+    double *places;     // [place_capacity][2 (d + 1)] of vertices: A and its error, B and its error
+    unsigned char *far; // [place_capacity] 1: the vertex is on a far wall, and B is there
+    size_t place_capacity;
+    paradt__exact_work exact;
+    int empty; // nothing is left
+    int tied;  // a vertex has been on a plane that clipped, or did not
+    // made by paradt__convex_settle
+    int merged, unbounded, flat; // some vertices coincide; some are far; the cell has no measure
+    paradt_index *same;          // [place_capacity] of vertices that coincide: one of them
+    paradt_index *entry;         // [plane_capacity] the handle of a plane at a vertex; -1: it is at none
+    unsigned char *real;         // [plane_capacity] the face on the plane has a measure
+    size_t same_capacity, entry_capacity;
+    paradt_index *local; // [local_capacity] a table: cells of the triangulation, 4 times the vertex, and the place of p
+    size_t local_capacity;
+    paradt__memory *memory;
+} paradt__convex;
+
+static void paradt__convex_begin(paradt__convex *c, const paradt__diagram *g, paradt__memory *memory) {
+    memset(c, 0, sizeof *c);
+    c->g = g;
+    c->d = g->d;
+    c->memory = c->build.memory = c->exact.memory = memory;
+    paradt__mesh_begin(&c->build.scene.mesh, g->d, 1);
+}
+
+static void paradt__convex_free(paradt__convex *c) {
+    paradt__mesh_free(&c->build.scene.mesh, c->memory);
+    paradt__release(c->memory, c->build.rim);
+    paradt__release(c->memory, c->build.update.killed);
+    paradt__release(c->memory, c->build.update.made);
+    paradt__release(c->memory, c->planes);
+    paradt__release(c->memory, c->places);
+    paradt__release(c->memory, c->far);
+    paradt__release(c->memory, c->same);
+    paradt__release(c->memory, c->entry);
+    paradt__release(c->memory, c->real);
+    paradt__release(c->memory, c->local);
+    paradt__exact_free(&c->exact);
+}
+
+PARADT__INLINE double *paradt__convex_place(const paradt__convex *c, size_t vertex) {
+    return c->places + vertex * 2 * (size_t)(c->d + 1);
+}
+
+// The plane with number `i` of those that a vertex is on
+PARADT__INLINE const paradt__halfspace *paradt__convex_plane(const paradt__convex *c, size_t vertex, int i) {
+    return c->planes + c->build.scene.mesh.vertices[vertex * (size_t)c->d + (size_t)i];
+}
+
+// Makes room for `count` vertices.
+static paradt_status paradt__convex_room(paradt__convex *c, size_t count) {
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt_status status = PARADT_OK;
+    void *places = c->places, *far = c->far;
+    size_t capacity, used = mesh->count, row = 2 * (size_t)(c->d + 1) * sizeof(double);
+    if (count > mesh->capacity) status = paradt__mesh_reserve(mesh, count, count + count / 2 + 64, c->memory);
+    if (status || mesh->capacity <= c->place_capacity) return status;
+    capacity = mesh->capacity;
+    if (used > c->place_capacity) used = c->place_capacity;
+    if (!paradt__grow(c->memory, &places, used, capacity, row)) return PARADT_ERROR_MEMORY;
+    c->places = (double *)places;
+    if (!paradt__grow(c->memory, &far, used, capacity, 1)) return PARADT_ERROR_MEMORY;
+    c->far = (unsigned char *)far;
+    c->place_capacity = capacity;
+    return PARADT_OK;
+}
+
+static paradt_status paradt__convex_plane_room(paradt__convex *c) {
+    void *planes = c->planes;
+    size_t capacity = c->plane_capacity * 2 + 64;
+    if (c->plane_count < c->plane_capacity) return PARADT_OK;
+    if (!paradt__grow(c->memory, &planes, c->plane_count, capacity, sizeof *c->planes)) return PARADT_ERROR_MEMORY;
+    c->planes = (paradt__halfspace *)planes;
+    c->plane_capacity = capacity;
+    return PARADT_OK;
+}
+
+// Finds where a vertex is.
+PARADT__INLINE void paradt__convex_find(paradt__convex *c, size_t vertex, int d) {
+    const paradt__halfspace *h[PARADT_MAX_DIM];
+    double *y = paradt__convex_place(c, vertex);
+    int i, far = 0;
+    for (i = 0; i < d; i++) {
+        h[i] = paradt__convex_plane(c, vertex, i);
+        far |= h[i]->far;
+    }
+    c->far[vertex] = (unsigned char)far;
+    if (!paradt__diagram_meet(c->g, h, d, 0, y)) paradt__exact_meet(&c->exact, c->g, c->p, h, 0, 0, y);
+    if (far && !paradt__diagram_meet(c->g, h, d, 1, y + d + 1))
+        paradt__exact_meet(&c->exact, c->g, c->p, h, 1, 0, y + d + 1);
+}
+
+// Is a vertex outside of a plane? 1, 0: on it, -1: inside
+PARADT__INLINE int paradt__convex_above(paradt__convex *c, size_t vertex, const paradt__halfspace *plane, int d) {
+    const double *y = paradt__convex_place(c, vertex);
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    int i, sign = c->far[vertex] ? paradt__diagram_above(c->g, plane, y + d + 1, d, 1)
+                                 : paradt__diagram_above(c->g, plane, y, d, 0);
+    if (PARADT__LIKELY(sign != PARADT__UNDECIDED)) return sign;
+    for (i = 0; i < d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[d] = plane;
+    return paradt__exact_above(&c->exact, c->g, c->p, h);
+}
+
+// Begins the cell of p: the box.
+static paradt_status paradt__convex_reset(paradt__convex *c, paradt_index p) {
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    int d = c->d, i, j;
+    size_t corner, corners = (size_t)1 << d;
+    paradt_status status = PARADT_OK;
+    mesh->count = mesh->spare_count = 0;
+    c->p = p;
+    c->plane_count = 0;
+    c->empty = c->tied = 0;
+    for (i = 0; i < 2 * d && !status; i++) {
+        status = paradt__convex_plane_room(c);
+        if (!status) paradt__diagram_wall(c->g, p, (size_t)i, &c->planes[c->plane_count++]);
+    }
+    if (!status) status = paradt__convex_room(c, corners);
+    if (status) return status;
+    mesh->count = corners;
+    memset(mesh->marks, 0, corners);
+    for (corner = 0; corner < corners; corner++) {
+        paradt_index *vertices = mesh->vertices + corner * (size_t)d, *links = mesh->links + corner * (size_t)d;
+        int axes[PARADT_MAX_DIM], negative = 0;
+        // the walls of axis axes[j] come to place j: wall j of the box is along the caller's axis j
+        for (j = 0; j < d; j++) {
+            axes[j] = j;
+            negative ^= !(corner >> j & 1);
+        }
+        negative ^= c->g->odd;
+        if (negative) axes[0] = 1, axes[1] = 0;
+        for (j = 0; j < d; j++) {
+            int upper = (int)(corner >> axes[j] & 1);
+            paradt_index other = (paradt_index)(corner ^ (size_t)1 << axes[j]);
+            vertices[j] = axes[j] + (upper ? d : 0);
+            // a neighbour has the other sign, so that its first two places are exchanged
+            links[j] = other * d + (axes[j] < 2 ? negative ? axes[j] : 1 - axes[j] : axes[j]);
+        }
+    }
+    for (corner = 0; corner < corners; corner++) paradt__convex_find(c, corner, d);
+    return c->exact.status;
+}
+
+// Begins the cell of p, which is bounded, as nothing clips it: from the cells of the triangulation around p, in space
+// or in the plane. number: [points] scratch; at those that stamp[point] == mark has found, the numbers of their planes
+PARADT__INLINE paradt_status paradt__convex_star(paradt__convex *c, paradt_index p, const paradt_index *around,
+                                                 size_t count, paradt_index *stamp, paradt_index *number,
+                                                 paradt_index mark, int d) {
+    // the places of a cell's other vertices, so that with p before them the order is even
+    static const unsigned char order[2][4][3] = {{{1, 2, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 0}},
+                                                 {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    const paradt__diagram *g = c->g;
+    const double *base = paradt__diagram_point(g, p);
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t i, mask = 63;
+    int j;
+    paradt_status status = paradt__convex_room(c, count);
+    c->p = p;
+    c->plane_count = 0;
+    c->empty = c->tied = 0;
+    while (mask < 2 * count) mask = 2 * mask + 1;
+    if (!status && c->local_capacity < 2 * (mask + 1)) {
+        paradt__release(c->memory, c->local);
+        c->local_capacity = 0;
+        c->local = (paradt_index *)paradt__alloc(c->memory, 2 * (mask + 1), sizeof *c->local);
+        if (c->local) c->local_capacity = 2 * (mask + 1);
+        else status = PARADT_ERROR_MEMORY;
+    }
+    if (status) return status;
+    mesh->spare_count = 0;
+    mesh->count = count;
+    memset(mesh->marks, 0, count);
+    memset(c->far, 0, count);
+    memset(c->local, -1, 2 * (mask + 1) * sizeof *c->local);
+    for (i = 0; i < count; i++) { // numbers, planes, places
+        const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
+        const double *centre = paradt__row_centre(row, d);
+        const unsigned char *places;
+        double *y = paradt__convex_place(c, i), largest = 0;
+        size_t slot = (size_t)around[i] * 0x9E3779B1u & mask;
+        for (j = 0; row[j] != p; j++) {
+        }
+        places = order[d - 2][j];
+        while (c->local[2 * slot] >= 0) slot = (slot + 1) & mask;
+        c->local[2 * slot] = around[i];
+        c->local[2 * slot + 1] = (paradt_index)i * 4 + j;
+        for (j = 0; j < d; j++) {
+            paradt_index q = row[places[j]];
+            if (stamp[q] != mark) {
+                status = paradt__convex_plane_room(c);
+                if (status) return status;
+                stamp[q] = mark;
+                number[q] = (paradt_index)c->plane_count;
+                paradt__diagram_bisector(g, p, q, &c->planes[c->plane_count++], d);
+            }
+            mesh->vertices[i * (size_t)d + (size_t)j] = number[q];
+            y[j] = centre[j] - base[j];
+            largest = paradt__larger(largest, paradt__abs(y[j]));
+        }
+        y[d] = (centre[d] + PARADT__ROUNDOFF * largest) * (1 + 4 * PARADT__ROUNDOFF);
+    }
+    for (i = 0; i < count; i++) { // links
+        const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
+        const unsigned char *places;
+        for (j = 0; row[j] != p; j++) {
+        }
+        places = order[d - 2][j];
+        for (j = 0; j < d; j++) {
+            paradt_index link = row[d + 1 + places[j]], other = link / (d + 1), found;
+            int apex = (int)(link - other * (d + 1)), to = 0;
+            size_t slot = (size_t)other * 0x9E3779B1u & mask;
+            while (c->local[2 * slot] != other) slot = (slot + 1) & mask;
+            found = c->local[2 * slot + 1];
+            while (order[d - 2][found & 3][to] != apex) to++;
+            mesh->links[i * (size_t)d + (size_t)j] = (found >> 2) * d + to;
+        }
+    }
+    return PARADT_OK;
+}
+
+// Digs the cavity: lists the vertices outside of the plane, and the rim. Returns how many are inside.
+PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt__halfspace *plane, size_t *inside,
+                                                int d) {
+    paradt__insertion *build = &c->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t vertex, i;
+    int j, above;
+    paradt_status status = paradt__list_room(&update->killed, 0, &update->killed_capacity, mesh->count, c->memory);
+    if (!status) status = paradt__list_room(&build->rim, 0, &build->rim_capacity, mesh->count * (size_t)d, c->memory);
+    if (status) return status;
+    update->killed_count = build->rim_count = 0;
+    *inside = 0;
+    for (vertex = 0; vertex < mesh->count; vertex++) {
+        if (mesh->vertices[vertex * (size_t)d] == PARADT__DEAD) continue;
+        above = paradt__convex_above(c, vertex, plane, d);
+        c->tied |= !above;
+        if (above > 0) {
+            mesh->marks[vertex] |= PARADT__CONFLICT;
+            update->killed[update->killed_count++] = (paradt_index)vertex * d;
+        } else {
+            ++*inside;
+        }
+    }
+    for (i = 0; i < update->killed_count; i++) {
+        for (j = 0; j < d; j++) {
+            paradt_index link = mesh->links[update->killed[i] + j];
+            if (!(mesh->marks[link / d] & PARADT__CONFLICT)) build->rim[build->rim_count++] = update->killed[i] + j;
+        }
+    }
+    return c->exact.status;
+}
+
+PARADT__INLINE paradt_status paradt__convex_clip_any(paradt__convex *c, int d) {
+    paradt__insertion *build = &c->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt_index number = (paradt_index)c->plane_count;
+    size_t inside, i;
+    paradt_status status = paradt__convex_dig(c, c->planes + number, &inside, d);
+    if (status) return status;
+    if (!inside) c->empty = 1;
+    if (c->empty || !build->update.killed_count) return PARADT_OK;
+    c->plane_count++;
+    status = paradt__convex_room(c, mesh->count + build->rim_count);
+    if (!status)
+        status = paradt__list_room(&build->update.made, 0, &build->update.made_capacity, build->rim_count, c->memory);
+    if (status) return status;
+    paradt__cavity_fill(build, number, d);
+    paradt__cavity_join(build, d);
+    status = paradt__mesh_spare_room(mesh, build->update.killed_count, c->memory);
+    if (status) return status;
+    for (i = 0; i < build->update.killed_count; i++) {
+        size_t vertex = (size_t)(build->update.killed[i] / d);
+        mesh->marks[vertex] = 0;
+        paradt__mesh_give(mesh, (paradt_index)vertex, (size_t)d);
+    }
+    for (i = 0; i < build->update.made_count; i++) {
+        size_t vertex = (size_t)(build->update.made[i] / d);
+        mesh->marks[vertex] = 0;
+        paradt__convex_find(c, vertex, d);
+    }
+    return c->exact.status;
+}
+
+// Clips the cell by planes[plane_count], which has been made there.
+static paradt_status paradt__convex_clip(paradt__convex *c) {
+    if (c->empty) return PARADT_OK;
+    switch (c->d) {
+    case 2: return paradt__convex_clip_any(c, 2);
+#if PARADT_MAX_DIM > 2
+    case 3: return paradt__convex_clip_any(c, 3);
+#endif
+    default: return paradt__convex_clip_any(c, c->d);
+    }
+}
+
+// Clips the cell by the plane between p and q.
+static paradt_status paradt__convex_clip_by_point(paradt__convex *c, paradt_index q) {
+    paradt_status status = paradt__convex_plane_room(c);
+    if (status) return status;
+    paradt__diagram_bisector(c->g, c->p, q, &c->planes[c->plane_count], c->d);
+    return paradt__convex_clip(c);
+}
+
+static paradt_status paradt__convex_clip_by_wall(paradt__convex *c, size_t wall) {
+    paradt_status status = paradt__convex_plane_room(c);
+    if (status) return status;
+    paradt__diagram_wall(c->g, c->p, wall, &c->planes[c->plane_count]);
+    return paradt__convex_clip(c);
+}
+
+// Do a vertex and its neighbour along an edge coincide?
+static int paradt__convex_coincide(paradt__convex *c, size_t vertex, int place) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, link = (size_t)mesh->links[vertex * d + (size_t)place], other = link / d;
+    const double *a = paradt__convex_place(c, vertex), *b = paradt__convex_place(c, other);
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    int i;
+    if (c->far[vertex] != c->far[other]) return 0;
+    if (c->far[vertex] ? paradt__centres_differ(a + d + 1, b + d + 1, c->d) : paradt__centres_differ(a, b, c->d))
+        return 0;
+    for (i = 0; i < c->d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[d] = c->planes + mesh->vertices[link];
+    return !paradt__exact_above(&c->exact, c->g, c->p, h);
+}
+
+// --- what is there in truth
+
+// The next vertex around a face in space or in the plane, counterclockwise seen from outside. handle: of the face's
+// plane at a vertex; returned is that at the next
+PARADT__INLINE paradt_index paradt__convex_next(const paradt__convex *c, paradt_index handle, int d) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt_index place = handle % d, first = handle - place, plane = mesh->vertices[handle], other, i;
+    other = mesh->links[first + (place + 1) % d];
+    first = other - other % d;
+    for (i = 0; i < d - 1; i++) {
+        if (mesh->vertices[first + i] == plane) break;
+    }
+    return first + i;
+}
+
+static paradt_index paradt__convex_root(paradt_index *same, paradt_index vertex) {
+    while (same[vertex] != vertex) vertex = same[vertex] = same[same[vertex]];
+    return vertex;
+}
+
+// Finds which vertices coincide.
+static paradt_status paradt__convex_merge(paradt__convex *c) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, vertex, i;
+    c->merged = 0;
+    for (vertex = 0; vertex < mesh->count; vertex++) c->same[vertex] = (paradt_index)vertex;
+    for (vertex = 0; vertex < mesh->count; vertex++) {
+        if (mesh->vertices[vertex * d] == PARADT__DEAD) continue;
+        for (i = 0; i < d; i++) {
+            paradt_index other = mesh->links[vertex * d + i] / c->d, a, b;
+            if ((size_t)other < vertex || !paradt__convex_coincide(c, vertex, (int)i)) continue;
+            a = paradt__convex_root(c->same, (paradt_index)vertex);
+            b = paradt__convex_root(c->same, other);
+            if (a < b) c->same[b] = a;
+            else c->same[a] = b;
+            c->merged = 1;
+        }
+    }
+    for (vertex = 0; vertex < mesh->count && c->merged; vertex++)
+        c->same[vertex] = paradt__convex_root(c->same, (paradt_index)vertex);
+    return c->exact.status;
+}
+
+// Has the face of a handle a measure, in space or in the plane? Its different vertices are corners of a convex polygon.
+// *all: are these all of the cell's, of which there are `different`?
+static int paradt__convex_few_real(const paradt__convex *c, paradt_index entry, size_t different, int *all) {
+    paradt_index at = entry, next;
+    size_t changes = 0;
+    do {
+        next = paradt__convex_next(c, at, c->d);
+        changes += c->same[at / c->d] != c->same[next / c->d];
+        at = next;
+    } while (at != entry && c->d > 2);
+    if (c->d == 2) changes *= 2; // there and back
+    *all = changes == different;
+    return changes > (size_t)(c->d > 2 ? 2 : 0);
+}
+
+// Do two planes of a cell that have a place in common coincide? That is, are the points that they separate p from in a
+// line with it?
+static int paradt__convex_planes_coincide(const paradt__convex *c, const paradt__halfspace *a,
+                                          const paradt__halfspace *b) {
+    const double *p[3];
+    int i, j, k;
+    if (a->side < 0 || b->side < 0) return 0; // of these the later one would not be there
+    p[0] = paradt__record(&c->g->set, c->p);
+    p[1] = paradt__record(&c->g->set, a->side);
+    p[2] = paradt__record(&c->g->set, b->side);
+    for (i = 1; i < c->d; i++) {
+        for (j = 0; j < i; j++) {
+            double x[3][2];
+            const double *q[3];
+            for (k = 0; k < 3; k++) {
+                x[k][0] = p[k][j], x[k][1] = p[k][i];
+                q[k] = x[k];
+            }
+            if (paradt_orient(2, q)) return 0;
+        }
+    }
+    return 1;
+}
+
+// The same in higher dimensions, for all faces. Where the different vertices of a face have a second plane in common,
+// which is not the same, it is less than a face.
+static paradt_status paradt__convex_many_real(paradt__convex *c) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, rows = mesh->count * d, i, j, plane, count;
+    paradt__keyed *tight; // which planes are at which of the different vertices
+    size_t *first, *seen;
+    tight = (paradt__keyed *)paradt__alloc(c->memory, 2 * rows + 2, sizeof *tight);
+    first = (size_t *)paradt__alloc(c->memory, mesh->count + 1, sizeof *first);
+    seen = (size_t *)paradt__alloc(c->memory, c->plane_count, sizeof *seen);
+    if (!tight || !first || !seen) {
+        paradt__release(c->memory, tight);
+        paradt__release(c->memory, first);
+        paradt__release(c->memory, seen);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = count = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * d] == PARADT__DEAD) continue;
+        for (j = 0; j < d; j++) {
+            tight[count].key = (uint64_t)c->same[i] << 32 | (uint64_t)mesh->vertices[i * d + j];
+            tight[count++].item = mesh->vertices[i * d + j];
+        }
+    }
+    paradt__keyed_sort(tight, tight + rows, count, 64, 0);
+    for (i = j = 0; i < count; i++) // each plane once
+        if (!i || tight[i].key != tight[i - 1].key) tight[j++] = tight[i];
+    count = j;
+    memset(first, 0, (mesh->count + 1) * sizeof *first);
+    for (i = 0; i < count; i++) first[(tight[i].key >> 32) + 1]++;
+    for (i = 0; i < mesh->count; i++) first[i + 1] += first[i];
+    for (plane = 0; plane < c->plane_count; plane++) {
+        size_t vertices = 0, shared = 0;
+        if (c->entry[plane] < 0) continue;
+        memset(seen, 0, c->plane_count * sizeof *seen);
+        for (i = 0; i < mesh->count; i++) {
+            int on = 0;
+            for (j = first[i]; j < first[i + 1]; j++) on |= (size_t)tight[j].item == plane;
+            if (!on) continue;
+            vertices++;
+            for (j = first[i]; j < first[i + 1]; j++) seen[tight[j].item]++;
+        }
+        for (i = 0; i < c->plane_count; i++) {
+            if (i == plane || seen[i] != vertices) continue;
+            if (paradt__convex_planes_coincide(c, c->planes + i, c->planes + plane)) c->flat = 1;
+            else shared++;
+        }
+        c->real[plane] = !shared;
+    }
+    paradt__release(c->memory, tight);
+    paradt__release(c->memory, first);
+    paradt__release(c->memory, seen);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__convex_settle_room(paradt__convex *c) {
+    size_t vertices = c->place_capacity, planes = c->plane_capacity;
+    if (vertices > c->same_capacity) {
+        paradt__release(c->memory, c->same);
+        c->same_capacity = 0;
+        c->same = (paradt_index *)paradt__alloc(c->memory, vertices, sizeof *c->same);
+        if (!c->same) return PARADT_ERROR_MEMORY;
+        c->same_capacity = vertices;
+    }
+    if (planes <= c->entry_capacity) return PARADT_OK;
+    paradt__release(c->memory, c->entry);
+    paradt__release(c->memory, c->real);
+    c->entry_capacity = 0;
+    c->real = NULL;
+    c->entry = (paradt_index *)paradt__alloc(c->memory, planes, sizeof *c->entry);
+    if (c->entry) c->real = (unsigned char *)paradt__alloc(c->memory, planes, 1);
+    if (!c->real) return PARADT_ERROR_MEMORY;
+    c->entry_capacity = planes;
+    return PARADT_OK;
+}
+
+// Ends clipping: finds what of the cell is there without the infinitesimal shifts.
+static paradt_status paradt__convex_settle(paradt__convex *c) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, i, plane, different = 0, real = 0;
+    int walled = 0, all;
+    paradt_status status = paradt__convex_settle_room(c);
+    c->unbounded = c->flat = c->merged = 0;
+    if (status || c->empty) return status;
+    for (i = 0; i < c->plane_count; i++) c->entry[i] = -1;
+    for (i = 0; i < mesh->count * d; i++) {
+        // in the plane a face begins where it is the second of the planes
+        if (mesh->vertices[i / d * d] != PARADT__DEAD && (d > 2 || i & 1))
+            c->entry[mesh->vertices[i]] = (paradt_index)i;
+    }
+    status = paradt__convex_merge(c);
+    if (status) return status;
+    for (i = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * d] == PARADT__DEAD) continue;
+        different += c->same[i] == (paradt_index)i;
+        c->unbounded |= c->far[i];
+    }
+    for (plane = 0; plane < c->plane_count; plane++) c->real[plane] = c->entry[plane] >= 0;
+    if (!c->merged) return PARADT_OK;
+    if (d > 3) status = paradt__convex_many_real(c);
+    for (plane = 0; plane < c->plane_count && !status; plane++) {
+        if (c->entry[plane] < 0) continue;
+        if (d <= 3) {
+            c->real[plane] = (unsigned char)paradt__convex_few_real(c, c->entry[plane], different, &all);
+            if (c->real[plane] && all) c->flat = 1;
+        }
+        real += c->real[plane];
+        walled |= c->real[plane] && c->planes[plane].side < 0;
+    }
+    c->flat |= !real;
+    // A cell that is nothing but a part of a wall is none, and its faces are that wall's. One that has no measure
+    // because a point lies between two others, in the sense of the power, stays between their cells.
+    if (c->flat && walled) c->empty = 1;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>measures of a clipped cell
+//
+// Volumes, and in space and in the plane centroids and the measures of faces. All simplices that are summed up have one
+// vertex of the cell in common and do not overlap, so that nothing cancels. Errors are bounded as in >>Voronoi faces:
+// by those of the vertices and those of the arithmetic.
+//
+// In higher dimensions a face of any dimension is divided from its first vertex into cones over those of its facets
+// that do not have that vertex, and these likewise (H. L. Cohen and T. Hickey, Two algorithms for determining volumes
+// of convex polyhedra, J. ACM 26, 1979). A vertex is on d planes, so the faces of a face are found by the planes that
+// its vertices are on. Determinants grow by a row at each step, by minors; with each goes the sum of its monomials'
+// sizes, and a bound of what the errors of entries contribute.
+// Doors: paradt__convex_measure, paradt__convex_measure_face, struct paradt__convex_sums.
+
+typedef struct paradt__convex_sums {
+    double volume, error;
+    double moment[PARADT_MAX_DIM]; // the integral of y
+} paradt__convex_sums;
+
+// A face's measure and centroid
+typedef struct paradt__convex_face {
+    double measure, centroid[PARADT_MAX_DIM]; // relative to p; the measure is infinite where the face is unbounded
+    double cone, error;                       // twice or six times the volume of the cone over it, and its error
+    double moment[3];
+} paradt__convex_face;
+
+// Measures a face of a cell in space or in the plane, and the cone from `apex` over it, in multiples of d!.
+static void paradt__convex_measure_face(const paradt__convex *c, paradt_index plane, const double *apex,
+                                        paradt__convex_face *face) {
+    const paradt__halfspace *h = c->planes + plane;
+    const int d = c->d;
+    paradt_index entry = c->entry[plane], at = entry;
+    const double *first = paradt__convex_place(c, (size_t)(entry / d));
+    double a[3] = {0}, b[3] = {0}, o[3] = {0}, area[3] = {0}, sum[3] = {0}, along = 0, square = 0, size = 0, error = 0;
+    double arm = 0, step, parts;
+    int j, corners = 0, far = 0;
+    for (j = 0; j < d; j++) {
+        o[j] = first[j] - apex[j];
+        arm = paradt__larger(arm, paradt__abs(o[j]));
+        square += h->normal[j] * h->normal[j];
+        face->moment[j] = 0;
+    }
+    face->cone = face->error = 0;
+    do {
+        const double *place = paradt__convex_place(c, (size_t)(at / d));
+        double cross[3] = {0}, part, cone;
+        far |= c->far[at / d];
+        for (j = 0; j < d; j++) {
+            b[j] = place[j] - first[j];
+            size = paradt__larger(size, paradt__abs(b[j]));
+        }
+        error = paradt__larger(error, place[d]);
+        if (d == 2) {
+            cone = o[0] * b[1] - o[1] * b[0];
+            part = h->normal[0] * b[1] - h->normal[1] * b[0];
+        } else {
+            cross[0] = a[1] * b[2] - a[2] * b[1];
+            cross[1] = a[2] * b[0] - a[0] * b[2];
+            cross[2] = a[0] * b[1] - a[1] * b[0];
+            part = cross[0] * h->normal[0] + cross[1] * h->normal[1] + cross[2] * h->normal[2];
+            cone = cross[0] * o[0] + cross[1] * o[1] + cross[2] * o[2];
+        }
+        face->cone += cone;
+        along += part;
+        for (j = 0; j < d; j++) {
+            area[j] += cross[j];
+            sum[j] += part * (a[j] + b[j]);
+            face->moment[j] += cone * (apex[j] + (d + 0.0) * first[j] + a[j] + b[j]);
+            a[j] = b[j];
+        }
+        corners++;
+        at = paradt__convex_next(c, at, d);
+    } while (at != entry);
+    error = paradt__larger(error, apex[d]);
+    step = 2 * error + PARADT__ROUNDOFF * size;
+    parts = corners; // one of the turns is empty
+    if (d == 2) {
+        // the turn comes back to the first vertex, and its part is 0 in the end
+        face->error = 2 * (arm * step + size * (2 * error + PARADT__ROUNDOFF * arm) + step * (2 * error) +
+                           6 * PARADT__ROUNDOFF * arm * size);
+    } else {
+        double turn = parts * (4 * size * step + 2 * step * step + (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
+        face->error = 3 * (arm + 2 * error) * turn + 6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
+    }
+    face->measure = far ? HUGE_VAL : paradt__abs(along) / (d == 2 ? sqrt(square) : 2 * sqrt(square));
+    for (j = 0; j < d; j++) {
+        double fan = along > 0 || along < 0 ? sum[j] / ((d == 2 ? 2 : 3) * along) : 0;
+        face->centroid[j] = far ? NAN : first[j] + fan;
+    }
+}
+
+// --- higher dimensions
+
+// The state of the division of a cell
+typedef struct paradt__pulling {
+    const paradt__convex *c;
+    int d;
+    paradt_index *list; // lists of vertices of faces, one behind the other
+    size_t list_room;
+    paradt_index *count;  // [d][planes] scratch of each depth: vertices of each facet
+    const double *origin; // the first vertex
+    double entry_error;   // of the difference of two vertices
+    double minor[PARADT_MAX_DIM + 1][PARADT__MINORS], size[PARADT_MAX_DIM + 1][PARADT__MINORS],
+        slope[PARADT_MAX_DIM + 1][PARADT__MINORS]; // of so many rows, by the set of columns
+    double volume, error;
+    size_t simplices;
+    paradt__memory *memory;
+    paradt_status status;
+} paradt__pulling;
+
+// Adds the row to a vertex: makes the minors of `rows` + 1 rows.
+static void paradt__pulling_row(paradt__pulling *pull, int rows, paradt_index vertex) {
+    const double *place = paradt__convex_place(pull->c, (size_t)vertex);
+    const int d = pull->d;
+    double x[PARADT_MAX_DIM];
+    unsigned mask = (1u << (rows + 1)) - 1, rest;
+    int j;
+    for (j = 0; j < d; j++) x[j] = place[j] - pull->origin[j];
+    for (; mask < 1u << d; mask = paradt__next_subset(mask)) {
+        double sum = 0, size = 0, slope = 0;
+        for (rest = mask; rest; rest &= rest - 1) {
+            unsigned bit = rest & (0 - rest), without = mask ^ bit;
+            double entry = x[paradt__trailing_zeros(rest)];
+            sum = entry * pull->minor[rows][without] - sum;
+            size += paradt__abs(entry) * pull->size[rows][without];
+            slope += paradt__abs(entry) * pull->slope[rows][without] +
+                     pull->entry_error * (pull->size[rows][without] + pull->slope[rows][without]);
+        }
+        pull->minor[rows + 1][mask] = sum;
+        pull->size[rows + 1][mask] = size;
+        pull->slope[rows + 1][mask] = slope;
+    }
+}
+
+// Divides a face of the dimension d - depth: the vertices list[begin, end), and the planes that all of them are on.
+// Vertices that coincide are each other's: of a face only one of them would do, but the others add nothing.
+static void paradt__pulling_face(paradt__pulling *pull, int depth, size_t begin, size_t end, paradt_index *on) {
+    const paradt__mesh *mesh = &pull->c->build.scene.mesh;
+    const int d = pull->d;
+    paradt_index apex = pull->list[begin], *count, plane;
+    size_t i, planes = pull->c->plane_count;
+    int j;
+    if (depth) paradt__pulling_row(pull, depth - 1, apex);
+    if (depth == d) {
+        const unsigned all = (1u << d) - 1;
+        pull->volume += paradt__abs(pull->minor[d][all]);
+        pull->error += paradt__minors_factor(d) * pull->size[d][all] + pull->slope[d][all];
+        pull->simplices++;
+        return;
+    }
+    if (end + (end - begin) > pull->list_room) {
+        void *list = pull->list;
+        if (!paradt__grow(pull->memory, &list, end, 2 * end + 64, sizeof *pull->list)) {
+            pull->status = PARADT_ERROR_MEMORY;
+            return;
+        }
+        pull->list = (paradt_index *)list;
+        pull->list_room = 2 * end + 64;
+    }
+    count = pull->count + (size_t)depth * planes;
+    memset(count, 0, planes * sizeof *count);
+    for (i = begin; i < end; i++) {
+        const paradt_index *row = mesh->vertices + (size_t)pull->list[i] * (size_t)d;
+        for (j = 0; j < d; j++) count[row[j]]++;
+    }
+    for (j = 0; j < depth; j++) count[on[j]] = 0;
+    for (j = 0; j < d; j++) count[mesh->vertices[(size_t)apex * (size_t)d + (size_t)j]] = 0;
+    for (plane = 0; plane < (paradt_index)planes && !pull->status; plane++) {
+        size_t to = end;
+        if (!count[plane]) continue;
+        for (i = begin; i < end; i++) {
+            const paradt_index *row = mesh->vertices + (size_t)pull->list[i] * (size_t)d;
+            for (j = 0; j < d && row[j] != plane; j++) {
+            }
+            if (j < d) pull->list[to++] = pull->list[i];
+        }
+        on[depth] = plane;
+        paradt__pulling_face(pull, depth + 1, end, to, on);
+    }
+}
+
+// The volume of a bounded cell in higher dimensions
+static paradt_status paradt__convex_pull(const paradt__convex *c, paradt__memory *memory, paradt__convex_sums *sums) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, i, count = 0;
+    paradt_index on[PARADT_MAX_DIM];
+    double error = 0, size = 0, factorial = 1;
+    int j;
+    paradt_status status;
+    paradt__pulling *pull = (paradt__pulling *)paradt__alloc(memory, 1, sizeof *pull);
+    if (!pull) return PARADT_ERROR_MEMORY;
+    memset(pull, 0, sizeof *pull);
+    pull->c = c;
+    pull->d = c->d;
+    pull->memory = memory;
+    pull->list_room = 4 * mesh->count;
+    pull->list = (paradt_index *)paradt__alloc(memory, pull->list_room, sizeof *pull->list);
+    pull->count = (paradt_index *)paradt__alloc(memory, d * c->plane_count, sizeof *pull->count);
+    if (!pull->list || !pull->count) pull->status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < mesh->count && !pull->status; i++) {
+        const double *place = paradt__convex_place(c, i);
+        if (mesh->vertices[i * d] == PARADT__DEAD) continue;
+        if (!count) pull->origin = place;
+        pull->list[count++] = (paradt_index)i;
+        error = paradt__larger(error, place[d]);
+        for (j = 0; j < c->d; j++) size = paradt__larger(size, paradt__abs(place[j] - pull->origin[j]));
+    }
+    if (!pull->status) {
+        pull->entry_error = 2 * error + PARADT__ROUNDOFF * size;
+        pull->minor[0][0] = pull->size[0][0] = 1;
+        paradt__pulling_face(pull, 0, 0, count, on);
+        for (j = 2; j <= c->d; j++) factorial *= j;
+        sums->volume = pull->volume / factorial;
+        sums->error = pull->error / factorial * (1 + 1e-6) +
+                      ((double)pull->simplices + 4) * PARADT__ROUNDOFF * sums->volume + c->g->tiny;
+    }
+    status = pull->status;
+    paradt__release(memory, pull->list);
+    paradt__release(memory, pull->count);
+    paradt__release(memory, pull);
+    return status;
+}
+
+// Measures a bounded cell that is settled and not empty.
+static paradt_status paradt__convex_measure(const paradt__convex *c, paradt__convex_sums *sums) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    const double *apex;
+    size_t vertex = 0, plane;
+    int d = c->d, j;
+    const double factorial = d == 2 ? 2 : 6;
+    memset(sums, 0, sizeof *sums);
+    if (c->flat) return PARADT_OK;
+    if (d > 3) return paradt__convex_pull(c, c->memory, sums);
+    while (mesh->vertices[vertex * (size_t)d] == PARADT__DEAD) vertex++;
+    apex = paradt__convex_place(c, vertex);
+    for (plane = 0; plane < c->plane_count; plane++) {
+        paradt__convex_face face;
+        if (c->entry[plane] < 0) continue;
+        for (j = 0; j < d && (size_t)mesh->vertices[vertex * (size_t)d + (size_t)j] != plane; j++) {
+        }
+        if (j < d) continue; // the apex is on it
+        paradt__convex_measure_face(c, (paradt_index)plane, apex, &face);
+        sums->volume += face.cone;
+        sums->error += face.error + PARADT__ROUNDOFF * (double)c->plane_count * paradt__abs(face.cone);
+        for (j = 0; j < d; j++) sums->moment[j] += face.moment[j];
+    }
+    sums->volume /= factorial;
+    sums->error = sums->error / factorial * 1.01 + 4 * PARADT__ROUNDOFF * paradt__abs(sums->volume) + c->g->tiny;
+    for (j = 0; j < d; j++) sums->moment[j] /= factorial * (d + 1);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>clipping
+//
+// The cells that may be unbounded or leave the walls, one by one: each is clipped by all planes of the request and by
+// the planes between its point and that point's neighbours in the triangulation, and measured. A face between two such
+// cells is listed for the smaller index. Tasks have ranges of points, and what they list comes together in order.
+//
+// Corners of faces are vertices of the diagram, named by a cell of the triangulation, or others, where a wall clips:
+// these have exact coordinates, rounded once, by which other cells' corners are found to be the same.
+// Doors: paradt__clip_all, struct paradt__corner_list, paradt__corner_list_free, paradt__corner_list_same.
+
+enum { PARADT__EDGE_CLIPPED = 255 }; // instead of an edge's number: the face's corners are in a list
+
+// Corners of clipped faces. Each face has their number, and then the corners: a cell of the triangulation, -1 for what
+// is at infinity, or -2 - i for the i-th of the list's places
+typedef struct paradt__corner_list {
+    paradt__list corners;
+    double *places;       // [place_capacity][d] as the caller counts, along the set's axes
+    paradt_index *planes; // [place_capacity][1 + d] a point, and the sides of planes of its cell that meet there
+    size_t place_count, place_capacity;
+} paradt__corner_list;
+
+static void paradt__corner_list_free(paradt__corner_list *list, paradt__memory *memory) {
+    paradt__list_free(&list->corners, memory);
+    paradt__release(memory, list->places);
+    paradt__release(memory, list->planes);
+    memset(list, 0, sizeof *list);
+}
+
+// Makes room for `more` places.
+static paradt_status paradt__corner_list_grow(paradt__corner_list *list, size_t more, int d, paradt__memory *memory) {
+    void *places = list->places, *planes = list->planes;
+    size_t capacity = 2 * list->place_capacity, row = (size_t)d * sizeof(double);
+    if (capacity < list->place_count + more) capacity = list->place_count + more;
+    if (!paradt__grow(memory, &places, list->place_count, capacity, row)) return PARADT_ERROR_MEMORY;
+    list->places = (double *)places;
+    row = (size_t)(d + 1) * sizeof(paradt_index);
+    if (!paradt__grow(memory, &planes, list->place_count, capacity, row)) return PARADT_ERROR_MEMORY;
+    list->planes = (paradt_index *)planes;
+    list->place_capacity = capacity;
+    return PARADT_OK;
+}
+
+typedef struct paradt__clipping {
+    paradt__diagram *g;
+    const paradt__team *team;
+    unsigned wants;
+    size_t point_count;
+    paradt_index *points; // [point_count] those whose cells are clipped, ascending
+    size_t *first;        // [point_count + 1] where the cells of the triangulation around each begin,
+    paradt_index *around; // in this list
+    paradt__voronoi_tally tally;  // what is found replaces what is there; sums NULL: not wanted
+    unsigned char *unbounded;
+    paradt__face_list *lists; // [tasks]; NULL: faces are not wanted
+    paradt__corner_list corners[PARADT__MOST_TASKS];
+    paradt__memory memory[PARADT__MOST_TASKS];
+    paradt_status status[PARADT__MOST_TASKS];
+} paradt__clipping;
+
+// --- one cell
+
+// What a task works with
+typedef struct paradt__clipper {
+    paradt__clipping *clipping;
+    paradt__convex cell;
+    paradt_index *stamp;  // [points] of the last of the task's points whose neighbour it was found to be: a mark
+    paradt_index *number; // [points] scratch of paradt__convex_star
+    paradt_index *names;  // [names_capacity] of the cell's vertices, by the one that those that coincide have
+    size_t names_capacity;
+    size_t task, at; // at: of the points
+    paradt__memory *memory;
+} paradt__clipper;
+
+// Clips a bounded cell by the walls. Returns in *done whether that was all: where a vertex is on a wall, walls have to
+// come first, so that of planes that coincide the wall counts.
+static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    size_t first = clipping->first[clipper->at], count = clipping->first[clipper->at + 1] - first, wall;
+    paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 1;
+    const paradt_index *around = clipping->around + first;
+    paradt_status status = g->d == 2
+                               ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
+                               : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
+    for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++)
+        if (!g->walls[wall].far) status = paradt__convex_clip_by_wall(c, wall);
+    *done = !c->tied;
+    return !status && *done ? paradt__convex_settle(c) : status;
+}
+
+// Clips the cell of a point by all that may clip it.
+static paradt_status paradt__clip_cell(paradt__clipper *clipper) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 2;
+    size_t corners = (size_t)g->k + 1, wall, i, j;
+    paradt_status status = PARADT_OK;
+    int done = 0;
+    if (g->centred && !(g->kind[p] & PARADT__CELL_HULL) && !g->nothing) status = paradt__clip_star(clipper, &done);
+    if (status || done) return status;
+    status = paradt__convex_reset(c, p);
+    if (g->nothing) c->empty = 1;
+    for (wall = 2 * (size_t)g->d; wall < g->wall_count && !status; wall++)
+        status = paradt__convex_clip_by_wall(c, wall);
+    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && !status && !c->empty; i++) {
+        const paradt_index *row = paradt__row_vertices(g, (size_t)clipping->around[i], g->row_bytes);
+        for (j = 0; j < corners && !status; j++) {
+            if (row[j] == p || clipper->stamp[row[j]] == mark) continue;
+            clipper->stamp[row[j]] = mark;
+            status = paradt__convex_clip_by_point(c, row[j]);
+        }
+    }
+    return status ? status : paradt__convex_settle(c);
+}
+
+// Is a vertex that is not far the centre of a cell of the triangulation?
+static int paradt__clip_is_centre(paradt__convex *c, size_t vertex, paradt_index cell) {
+    const paradt__diagram *g = c->g;
+    const double *y = paradt__convex_place(c, vertex), *centre = paradt__centre_of(g, cell, g->d);
+    const double *base = paradt__diagram_point(g, c->p);
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    paradt__halfspace plane;
+    int i, j;
+    for (j = 0; j < g->d; j++) {
+        double x = base[j] + y[j], error = (y[g->d] + centre[g->d]) * 1.01 + 2 * PARADT__ROUNDOFF * paradt__abs(x);
+        if (paradt__abs(x - centre[j]) > error) return 0;
+    }
+    for (i = 0; i < g->d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[g->d] = &plane;
+    for (i = 0; i <= g->d; i++) {
+        if (row[i] == c->p) continue;
+        for (j = 0; j < g->d && h[j]->side != row[i]; j++) {
+        }
+        if (j < g->d) continue;
+        paradt__diagram_bisector(g, c->p, row[i], &plane, g->d);
+        if (paradt__exact_above(&c->exact, g, c->p, h)) return 0;
+    }
+    return 1;
+}
+
+// Names a vertex of the cell.
+static paradt_status paradt__clip_name(paradt__clipper *clipper, size_t vertex, paradt_index *name) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__corner_list *list = &clipping->corners[clipper->task];
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    const paradt__halfspace *h[PARADT_MAX_DIM];
+    double y[PARADT_MAX_DIM + 1];
+    size_t i;
+    *name = -1;
+    if (c->far[vertex]) return PARADT_OK;
+    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && g->centred; i++) {
+        if (!paradt__clip_is_centre(c, vertex, clipping->around[i])) continue;
+        *name = clipping->around[i];
+        return c->exact.status;
+    }
+    if (list->place_count == list->place_capacity) {
+        paradt_status status = paradt__corner_list_grow(list, 64, g->d, clipper->memory);
+        if (status) return status;
+    }
+    list->planes[list->place_count * (size_t)(g->d + 1)] = c->p;
+    for (i = 0; i < (size_t)g->d; i++) {
+        h[i] = paradt__convex_plane(c, vertex, (int)i);
+        list->planes[list->place_count * (size_t)(g->d + 1) + 1 + i] = h[i]->side;
+    }
+    paradt__exact_meet(&c->exact, g, c->p, h, 0, 1, y);
+    for (i = 0; i < (size_t)g->d; i++) list->places[list->place_count * (size_t)g->d + i] = y[i] + 0.0;
+    *name = -2 - (paradt_index)list->place_count++;
+    return c->exact.status;
+}
+
+// Names all vertices of the cell, as those that coincide with them.
+static paradt_status paradt__clip_name_all(paradt__clipper *clipper) {
+    const paradt__convex *c = &clipper->cell;
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (c->place_capacity > clipper->names_capacity) {
+        paradt__release(clipper->memory, clipper->names);
+        clipper->names_capacity = 0;
+        clipper->names = (paradt_index *)paradt__alloc(clipper->memory, c->place_capacity, sizeof *clipper->names);
+        if (!clipper->names) return PARADT_ERROR_MEMORY;
+        clipper->names_capacity = c->place_capacity;
+    }
+    for (i = 0; i < mesh->count && !status; i++) { // the one that others are named by is the first of them
+        if (mesh->vertices[i * (size_t)c->d] == PARADT__DEAD) continue;
+        if (c->same[i] == (paradt_index)i) status = paradt__clip_name(clipper, i, &clipper->names[i]);
+        else clipper->names[i] = clipper->names[c->same[i]];
+    }
+    return status;
+}
+
+// Lists the corners of a face: in space and in the plane in order, else in that of the vertices, each once.
+static paradt_status paradt__clip_corners(paradt__clipper *clipper, size_t plane) {
+    const paradt__convex *c = &clipper->cell;
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt__list *list = &clipper->clipping->corners[clipper->task].corners;
+    size_t counted = list->count, i, d = (size_t)c->d;
+    paradt_index entry = c->entry[plane], at = entry, last = PARADT__NOWHERE;
+    int far = 0;
+    paradt_status status = paradt__list_append(list, 0, clipper->memory);
+    if (d <= 3) {
+        do {
+            paradt_index name = clipper->names[at / c->d];
+            if (!status && name != last) status = paradt__list_append(list, name, clipper->memory);
+            last = name;
+            at = paradt__convex_next(c, at, c->d);
+        } while (at != entry && !status);
+        if (!status && list->count > counted + 2 && list->items[counted + 1] == last) list->count--;
+    } else {
+        for (i = 0; i < mesh->count * d && !status; i++) {
+            size_t vertex = i / d;
+            if (mesh->vertices[vertex * d] == PARADT__DEAD || mesh->vertices[i] != (paradt_index)plane) continue;
+            if (c->far[vertex]) {
+                far = 1;
+                continue;
+            }
+            if (c->same[vertex] == (paradt_index)vertex)
+                status = paradt__list_append(list, clipper->names[vertex], clipper->memory);
+            else { // the one that it is named by may not be on the plane
+                size_t j = counted + 1;
+                while (j < list->count && list->items[j] != clipper->names[vertex]) j++;
+                if (j == list->count) status = paradt__list_append(list, clipper->names[vertex], clipper->memory);
+            }
+        }
+        if (far && !status) status = paradt__list_append(list, -1, clipper->memory);
+    }
+    if (!status) list->items[counted] = (paradt_index)(list->count - counted - 1);
+    return status;
+}
+
+// Lists the faces of the cell that are to be listed for its point.
+static paradt_status paradt__clip_list(paradt__clipper *clipper) {
+    paradt__clipping *clipping = clipper->clipping;
+    const paradt__diagram *g = clipping->g;
+    paradt__face_list *list = &clipping->lists[clipper->task];
+    const paradt__convex *c = &clipper->cell;
+    const double origin[PARADT_MAX_DIM + 1] = {0}, *base = paradt__diagram_point(g, c->p);
+    size_t plane, d = (size_t)g->d, j;
+    paradt_status status = PARADT_OK;
+    int named = 0;
+    for (plane = 0; plane < c->plane_count && !status; plane++) {
+        const paradt__halfspace *h = c->planes + plane;
+        paradt_index at;
+        if (c->entry[plane] < 0 || !c->real[plane] || h->far) continue;
+        if (h->side >= 0 && (h->side < c->p || !(g->kind[h->side] & PARADT__CELL_CLIPPED))) continue;
+        status = paradt__face_list_room(list, 1);
+        if (!status && !named && clipping->wants & PARADT_VORONOI_POLYGONS)
+            status = paradt__clip_name_all(clipper), named = 1;
+        if (status) break;
+        at = (paradt_index)list->count++;
+        list->sides[2 * at] = c->p;
+        list->sides[2 * at + 1] = h->side;
+        if (clipping->wants & PARADT_VORONOI_AREAS) {
+            paradt__convex_face face;
+            double square = 0;
+            paradt__convex_measure_face(c, (paradt_index)plane, origin, &face);
+            list->areas[at] = face.measure;
+            for (j = 0; j < d; j++) square += h->normal[j] * h->normal[j];
+            for (j = 0; j < d; j++) {
+                list->normals[(size_t)at * d + j] = h->normal[j] / sqrt(square);
+                list->centroids[(size_t)at * d + j] = base[j] + face.centroid[j];
+            }
+        }
+        if (clipping->wants & PARADT_VORONOI_POLYGONS) {
+            list->cell[at] = (paradt_index)clipping->corners[clipper->task].corners.count;
+            list->edge[at] = PARADT__EDGE_CLIPPED;
+            status = paradt__clip_corners(clipper, plane);
+        }
+    }
+    return status;
+}
+
+// Clips and measures the cell of a point, and lists its faces.
+static paradt_status paradt__clip_point(paradt__clipper *clipper) {
+    paradt__clipping *clipping = clipper->clipping;
+    const paradt__diagram *g = clipping->g;
+    const paradt__convex *c = &clipper->cell;
+    paradt__convex_sums sums;
+    paradt_index p = clipping->points[clipper->at];
+    int j;
+    paradt_status status = paradt__clip_cell(clipper);
+    if (status) return status;
+    memset(&sums, 0, sizeof sums);
+    clipping->unbounded[p] = (unsigned char)(!c->empty && c->unbounded);
+    if (clipping->tally.sums) {
+        double *to = paradt__tally_of(&clipping->tally, p);
+        if (!c->empty && !c->unbounded) status = paradt__convex_measure(c, &sums);
+        to[0] = sums.volume;
+        to[1] = sums.error;
+        for (j = 0; j < clipping->tally.width - 2; j++) to[2 + j] = sums.moment[j];
+    }
+    if (!status && !c->empty && clipping->lists && g->kind[p] & PARADT__CELL_CLIPPED)
+        status = paradt__clip_list(clipper);
+    return status;
+}
+
+// --- all cells
+
+PARADT__HOT void paradt__clip_task(void *context, size_t task) {
+    enum { PACE = 64 };
+    paradt__clipping *clipping = (paradt__clipping *)context;
+    const paradt__diagram *g = clipping->g;
+    paradt__clipper clipper;
+    size_t end = paradt__loader_range(clipping->team, clipping->point_count, task, &clipper.at), first;
+    paradt_status status = PARADT_OK;
+    memset(&clipper.cell, 0, sizeof clipper.cell);
+    first = clipper.at;
+    clipper.clipping = clipping;
+    clipper.task = task;
+    clipper.memory = &clipping->memory[task];
+    clipper.names = NULL;
+    clipper.names_capacity = 0;
+    clipper.stamp = (paradt_index *)paradt__alloc(clipper.memory, g->set.count, sizeof *clipper.stamp);
+    clipper.number = (paradt_index *)paradt__alloc(clipper.memory, g->set.count, sizeof *clipper.number);
+    if (!clipper.stamp || !clipper.number) {
+        paradt__release(clipper.memory, clipper.stamp);
+        paradt__release(clipper.memory, clipper.number);
+        clipping->status[task] = PARADT_ERROR_MEMORY;
+        return;
+    }
+    memset(clipper.stamp, 0, g->set.count * sizeof *clipper.stamp);
+    paradt__convex_begin(&clipper.cell, g, clipper.memory);
+    for (; clipper.at < end && !status; clipper.at++) {
+        if (clipper.at % PACE == 0 &&
+            paradt__team_cancels(clipping->team, task, (double)(clipper.at - first) / (double)(end - first)))
+            status = PARADT_ERROR_CANCELLED;
+        else status = paradt__clip_point(&clipper);
+    }
+    paradt__convex_free(&clipper.cell);
+    paradt__release(clipper.memory, clipper.stamp);
+    paradt__release(clipper.memory, clipper.number);
+    paradt__release(clipper.memory, clipper.names);
+    clipping->status[task] = status;
+}
+
+// Lists the points whose cells are clipped, or have no certain measure, and the cells of the triangulation around each.
+PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const unsigned char *again) {
+    const paradt__diagram *g = clipping->g;
+    size_t n = g->set.count, i, j, at, corners = (size_t)g->k + 1;
+    paradt_index *slot;
+    for (i = 0; i < n; i++) clipping->point_count += again[i] != 0;
+    if (!clipping->point_count) return PARADT_OK;
+    clipping->points = (paradt_index *)paradt__alloc(g->memory, clipping->point_count, sizeof *clipping->points);
+    clipping->first = (size_t *)paradt__alloc(g->memory, clipping->point_count + 1, sizeof *clipping->first);
+    slot = (paradt_index *)paradt__alloc(g->memory, n, sizeof *slot);
+    if (!clipping->points || !clipping->first || !slot) {
+        paradt__release(g->memory, slot);
+        return PARADT_ERROR_MEMORY;
+    }
+    memset(clipping->first, 0, (clipping->point_count + 1) * sizeof *clipping->first);
+    for (i = at = 0; i < n; i++) {
+        slot[i] = again[i] ? (paradt_index)at : -1;
+        if (again[i]) clipping->points[at++] = (paradt_index)i;
+    }
+    for (i = 0; i < g->cells; i++) {
+        const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
+        for (j = 0; j < corners; j++)
+            if (slot[row[j]] >= 0) clipping->first[slot[row[j]] + 1]++;
+    }
+    for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
+    clipping->around =
+        (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1, sizeof *clipping->around);
+    for (i = 0; i < g->cells && clipping->around; i++) {
+        const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
+        for (j = 0; j < corners; j++) {
+            paradt_index of = slot[row[j]];
+            if (of >= 0) clipping->around[clipping->first[of]++] = (paradt_index)i;
+        }
+    }
+    for (i = clipping->point_count; i > 0; i--) clipping->first[i] = clipping->first[i - 1];
+    clipping->first[0] = 0;
+    paradt__release(g->memory, slot);
+    return clipping->around ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// Puts what a task has listed behind what is in the lists.
+static paradt_status paradt__clip_join(paradt__clipping *clipping, size_t task, paradt__face_list *list,
+                                       paradt__corner_list *corners) {
+    paradt__memory *memory = clipping->g->memory;
+    paradt__face_list *from = &clipping->lists[task];
+    paradt__corner_list *more = &clipping->corners[task];
+    size_t d = (size_t)clipping->g->d, i, base = corners->corners.count, places = corners->place_count, left = 0;
+    paradt_status status;
+    for (i = 0; i < from->count && clipping->wants & PARADT_VORONOI_POLYGONS; i++) from->cell[i] += (paradt_index)base;
+    status = paradt__face_list_join(list, from);
+    for (i = 0; i < more->corners.count && !status; i++) {
+        paradt_index item = more->corners.items[i];
+        if (!left) left = (size_t)item + 1; // the number of corners that follow
+        else if (item < -1) item -= (paradt_index)places;
+        left--;
+        status = paradt__list_append(&corners->corners, item, memory);
+    }
+    if (status || !more->place_count) return status;
+    status = paradt__corner_list_grow(corners, more->place_count, clipping->g->d, memory);
+    if (status) return status;
+    memcpy(corners->places + places * d, more->places, more->place_count * d * sizeof(double));
+    memcpy(corners->planes + places * (d + 1), more->planes, more->place_count * (d + 1) * sizeof(paradt_index));
+    corners->place_count += more->place_count;
+    return PARADT_OK;
+}
+
+// Are two places of a list the same? That is, are all planes that meet at the second at the first, too?
+static int paradt__corner_list_same(const paradt__diagram *g, const paradt__corner_list *list, size_t a, size_t b,
+                                    paradt__exact_work *exact) {
+    size_t row = (size_t)g->d + 1, i, j;
+    const paradt_index *first = list->planes + a * row, *second = list->planes + b * row;
+    paradt__halfspace planes[PARADT_MAX_DIM + 1];
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    if (memcmp(list->places + a * (row - 1), list->places + b * (row - 1), (row - 1) * sizeof(double))) return 0;
+    for (i = 0; i < row - 1; i++) paradt__diagram_plane(g, first[0], first[i + 1], &planes[i]);
+    for (i = 0; i < row; i++) h[i] = planes + i;
+    for (i = 0; i < row; i++) { // the second's point counts as a plane between both points
+        for (j = 1; j < row && first[j] != second[i]; j++) {
+        }
+        if (j < row || second[i] == first[0]) continue;
+        paradt__diagram_plane(g, first[0], second[i], &planes[row - 1]);
+        if (paradt__exact_above(exact, g, first[0], h)) return 0;
+    }
+    return 1;
+}
+
+// Clips all cells that `again` has a mark for.
+//   tally      sums of cells, replaced for these; sums NULL: not wanted
+//   unbounded  [points] filled for these
+//   list       NULL, or a list that their faces are added to, if both sides have PARADT__CELL_CLIPPED
+//   corners    with PARADT_VORONOI_POLYGONS, gets the corners of these faces
+static paradt_status paradt__clip_all(paradt__diagram *g, const paradt__team *team, unsigned wants,
+                                      const unsigned char *again, const paradt__voronoi_tally *tally, unsigned char *unbounded,
+                                      paradt__face_list *list, paradt__corner_list *corners) {
+    paradt__clipping clipping;
+    paradt__face_list lists[PARADT__MOST_TASKS];
+    uint64_t peaks = 0;
+    size_t i;
+    paradt_status status;
+    memset(&clipping, 0, sizeof clipping);
+    clipping.g = g;
+    clipping.team = team;
+    clipping.wants = wants;
+    clipping.tally = *tally;
+    clipping.unbounded = unbounded;
+    clipping.lists = list ? lists : NULL;
+    status = paradt__clip_collect(&clipping, again);
+    for (i = 0; i < team->tasks; i++) {
+        clipping.memory[i] = paradt__memory_fork(g->memory, team->tasks);
+        paradt__face_list_begin(&lists[i], g->d, wants, &clipping.memory[i]);
+    }
+    if (!status && clipping.point_count) {
+        paradt__team_run(team, paradt__clip_task, &clipping);
+        if (paradt__team_cancelled(team)) status = PARADT_ERROR_CANCELLED;
+    }
+    for (i = 0; i < team->tasks; i++) {
+        if (!status) status = clipping.status[i];
+        paradt__memory_join(g->memory, &clipping.memory[i], &peaks);
+        lists[i].memory = g->memory;
+    }
+    for (i = 0; i < team->tasks; i++) {
+        if (!status && list) status = paradt__clip_join(&clipping, i, list, corners);
+        paradt__face_list_free(&lists[i]);
+        paradt__corner_list_free(&clipping.corners[i], g->memory);
+    }
+    paradt__release(g->memory, clipping.points);
+    paradt__release(g->memory, clipping.first);
+    paradt__release(g->memory, clipping.around);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Voronoi
+//
+// The entry: arguments are checked, the triangulation and the walls are read, and the steps of the sections above are
+// done as far as their results are wanted. Doors: the public functions.
+
+typedef struct paradt__voronoi_work {
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    size_t tasks;
+    unsigned wants;
+    paradt__diagram g;
+    double *scaled;           // of the diagram, where it has its own
+    paradt__voronoi_tally tally;      // of the cells
+    unsigned char *unbounded; // [points] is the cell?
+    paradt__face_list list;
+    paradt__corner_list corners; // of faces that are clipped
+    uint32_t reported[4];
+} paradt__voronoi_work;
+
+enum { PARADT__VORONOI_CENTRES, PARADT__VORONOI_FACES, PARADT__VORONOI_CLIPS, PARADT__VORONOI_ENDS };
+
+static paradt__team paradt__voronoi_team(paradt__voronoi_work *work, int step) {
+    static const double shares[] = {0.2, 0.4, 0.3, 0.1};
+    return paradt__team_of(&work->options, work->tasks,
+                           paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
+}
+
+// The caller's index of a position
+PARADT__INLINE size_t paradt__voronoi_index(const paradt__diagram *g, size_t position) {
+    return g->set.origin ? (size_t)g->set.origin[position] : position;
+}
+
+// --- arguments
+
+static int paradt__voronoi_is_number(double x) {
+    return paradt__is_finite(x);
+}
+
+// Returns what is wrong with the request, or NULL.
+static const char *paradt__voronoi_fault(const paradt_triangulation *t, const paradt_points *points,
+                                         const paradt_voronoi_request *request) {
+    const unsigned all = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_FACES |
+                         PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    size_t i, d = (size_t)points->dim;
+    if (!t) return "triangulation is NULL";
+    if (t->point_count != points->count) return "points.count is not that of the triangulation";
+    if (t->dim > points->dim) return "points.dim is less than the dimension of the triangulation";
+    if (t->dim > 0 && t->cell_count && (!t->cells || !t->neighbors))
+        return "triangulation.cells or neighbors is NULL; PARADT_NO_NEIGHBORS gives none";
+    if (!request) return NULL;
+    if (request->outputs & ~all) return "request.outputs has a bit that means nothing";
+    if (d > 3 && request->outputs & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS))
+        return "request.outputs has centroids or areas, which are there in two and three dimensions";
+    if (request->plane_count && !request->planes) return "request.planes is NULL, but plane_count is not 0";
+    for (i = 0; i < 2 * d && request->box; i++) {
+        double bound = request->box[i];
+        if (!paradt__is_finite(bound) && !(paradt__bits(bound) << 12 == 0 && (paradt__bits(bound) >> 63) == (i < d)))
+            return "request.box has a bound that is no number";
+    }
+    for (i = 0; i < request->plane_count * (d + 1); i++) {
+        if (!paradt__voronoi_is_number(request->planes[i])) return "request.planes has a number that is not finite";
+    }
+    for (i = 0; i < request->plane_count; i++) {
+        size_t j = 0;
+        while (j < d && !(paradt__bits(request->planes[i * (d + 1) + j]) << 1)) j++;
+        if (j == d) return "request.planes has a normal that is 0";
+    }
+    return NULL;
+}
+
+// --- the walls
+
+// The exponent above that of a number; far below all others for 0
+static int paradt__voronoi_top(double x) {
+    paradt__range range = paradt__no_range;
+    paradt__measure(&range, x);
+    return range.top;
+}
+
+// Makes the walls of the request, along the axes of the set.
+static paradt_status paradt__voronoi_walls(paradt__voronoi_work *work, const paradt_voronoi_request *request) {
+    paradt__diagram *g = &work->g;
+    size_t i, d = (size_t)g->d, planes = request ? request->plane_count : 0;
+    int j;
+    g->wall_count = 2 * d + planes;
+    g->walls = (paradt__voronoi_wall *)paradt__alloc(&work->memory, g->wall_count, sizeof *g->walls);
+    if (!g->walls) return PARADT_ERROR_MEMORY;
+    memset(g->walls, 0, g->wall_count * sizeof *g->walls);
+    for (i = 0; i < g->wall_count; i++) {
+        paradt__voronoi_wall *wall = g->walls + i;
+        wall->axis = -1;
+        if (i >= 2 * d) {
+            const double *plane = request->planes + (i - 2 * d) * (d + 1);
+            for (j = 0; j < g->d; j++) wall->normal[j] = plane[g->set.axes[j]] + 0.0;
+            wall->offset = plane[d];
+            continue;
+        }
+        for (j = 0; j < g->d; j++) {
+            if ((size_t)g->set.axes[j] == i % d) wall->axis = j;
+        }
+        wall->normal[wall->axis] = i < d ? -1 : 1;
+        wall->far = !request || !request->box || !paradt__is_finite(request->box[i]);
+        if (!wall->far) wall->offset = i < d ? -request->box[i] : request->box[i];
+        if (i >= d && !wall->far && !g->walls[i - d].far && request->box[i - d] > request->box[i]) g->nothing = 1;
+    }
+    for (i = 0; i < d; i++)
+        for (j = 0; j < (int)i; j++) g->odd ^= g->walls[j].axis > g->walls[i].axis;
+    return PARADT_OK;
+}
+
+// Chooses the scale of floating point, and scales points and walls. Sizes from 2^-20 to 2^40 are left as they are.
+static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
+    paradt__diagram *g = &work->g;
+    size_t i, j, d = (size_t)g->d, width = g->set.width;
+    int top = g->set.space.coordinates.top, growth, exact;
+    if (g->weighted) top = paradt__max(top, (g->set.space.weights.top + 1) / 2);
+    for (i = 0; i < g->wall_count; i++) {
+        const paradt__voronoi_wall *wall = g->walls + i;
+        int largest = -4000;
+        for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
+        if (!wall->far) top = paradt__max(top, paradt__voronoi_top(wall->offset) - largest + 1);
+    }
+    top = paradt__min(top, 1100);
+    g->shift = top < -4000 || (top >= -20 && top <= 40) ? 0 : top;
+    top = paradt__max(top - g->shift, 0) + 2;
+    growth = (int)d * top + 2 * top + 8;
+    g->tiny = paradt__power(growth - 950);
+    for (i = 0; i < g->wall_count; i++) {
+        paradt__voronoi_wall *wall = g->walls + i;
+        int largest = -4000;
+        for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
+        exact = paradt__precise();
+        if (wall->axis >= 0) largest = 0;
+        for (j = 0; j < d; j++) wall->scaled_normal[j] = paradt__scale(wall->normal[j], -largest, &exact);
+        wall->scaled_offset = paradt__scale(wall->offset, -largest - g->shift, &exact);
+        wall->inexact = !exact;
+    }
+    g->scaled = g->set.records;
+    if (!g->shift) return PARADT_OK;
+    work->scaled = (double *)paradt__alloc(&work->memory, g->set.count + 1, width * sizeof(double));
+    if (!work->scaled) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < g->set.count * width; i++)
+        work->scaled[i] = paradt__scale(g->set.records[i], i % width < d ? -g->shift : -2 * g->shift, &exact);
+    g->scaled = work->scaled;
+    return PARADT_OK;
+}
+
+// --- reading
+
+// Reads the triangulation and its points.
+static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                          const paradt_points *points, size_t *bad) {
+    paradt__diagram *g = &work->g;
+    paradt__mesh mesh;
+    paradt_status status = PARADT_OK;
+    memset(&mesh, 0, sizeof mesh);
+    g->d = points->dim;
+    g->k = t->cell_count ? t->dim : -1;
+    g->weighted = points->weights != NULL;
+    g->memory = &work->memory;
+    g->meter = &work->meter;
+    if (g->k >= 1) {
+        int facets = (work->options.flags & PARADT_FACETS) != 0;
+        status = paradt__given_mesh(&mesh, t, facets, &work->memory, &work->meter);
+        g->cells = t->cell_count;
+        g->hull = mesh.count - g->cells;
+    }
+    if (!status) status = paradt__given_set(&g->set, t, points, &work->memory, &work->meter, bad);
+    g->kind = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    if (!status && !g->kind) status = PARADT_ERROR_MEMORY;
+    if (!status) memset(g->kind, 0, points->count);
+    if (!status && g->k >= 1) status = paradt__diagram_rows(g, &mesh);
+    paradt__mesh_free(&mesh, &work->memory);
+    if (status || g->k != 0) return status;
+    // a triangulation of one vertex, which has no mesh
+    if (t->cells[0] < 0 || (size_t)t->cells[0] >= points->count) return PARADT_ERROR_INVALID;
+    g->kind[t->cells[0]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
+    return PARADT_OK;
+}
+
+// --- results
+
+static void *paradt__voronoi_array(paradt__voronoi_work *work, size_t count, size_t size, paradt_status *status) {
+    void *array = *status ? NULL : paradt__alloc_filled(&work->memory, count, size);
+    if (!array) *status = PARADT_ERROR_MEMORY;
+    return array;
+}
+
+// Brings a number of `dim` dimensions back to the caller's scale; what is not finite stays so.
+static double paradt__voronoi_unscaled(const paradt__diagram *g, double value, int dim) {
+    int exact = 1;
+    return g->shift && paradt__is_finite(value) ? paradt__scale(value, dim * g->shift, &exact) : value;
+}
+
+// Brings a measure of `dim` dimensions back to the caller's scale, and adds what that costs to its error.
+static double paradt__voronoi_unscale(const paradt__diagram *g, double value, int dim, double *error) {
+    int exact = 1;
+    if (g->shift) {
+        value = paradt__voronoi_unscaled(g, value, dim);
+        if (paradt__is_finite(*error))
+            *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
+    }
+    *error += paradt__power(-1000);
+    if (paradt__bits(paradt__abs(value)) >= UINT64_C(0x7fefffffffffffff)) *error = HUGE_VAL;
+    return value;
+}
+
+// Hands over what was summed up for the cells.
+PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_voronoi *out) {
+    const paradt__diagram *g = &work->g;
+    size_t i, n = g->set.count;
+    int d = g->d, j;
+    paradt_status status = PARADT_OK;
+    if (work->wants & PARADT_VORONOI_VOLUMES) {
+        out->volumes = (double *)paradt__voronoi_array(work, n, sizeof *out->volumes, &status);
+        out->volume_errors = (double *)paradt__voronoi_array(work, n, sizeof *out->volume_errors, &status);
+    }
+    if (work->wants & PARADT_VORONOI_CENTROIDS)
+        out->centroids = (double *)paradt__voronoi_array(work, n * (size_t)d, sizeof *out->centroids, &status);
+    if (status) return status;
+    for (i = 0; i < n; i++) out->unbounded[paradt__voronoi_index(g, i)] = work->unbounded[i];
+    for (i = 0; i < n && work->tally.sums; i++) {
+        const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
+        size_t to = paradt__voronoi_index(g, i);
+        int infinite = work->unbounded[i];
+        double volume = infinite ? HUGE_VAL : sums[0], error = infinite ? 0 : sums[1];
+        if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
+        if (!infinite && !(volume + error < HUGE_VAL))        // beyond all doubles: the largest one, and no bound
+            volume = paradt__from_bits(UINT64_C(0x7fefffffffffffff)), error = HUGE_VAL;
+        double scaled = volume;
+        if (out->volumes) {
+            if (!infinite && volume > 0) volume = paradt__voronoi_unscale(g, volume, d, &error);
+            out->volumes[to] = volume;
+            out->volume_errors[to] = error;
+        }
+        for (j = 0; j < d && out->centroids; j++) {
+            double x = paradt__diagram_point(g, (paradt_index)i)[j] + sums[2 + j] / scaled;
+            x = paradt__voronoi_unscaled(g, x, 1);
+            out->centroids[to * (size_t)d + (size_t)g->set.axes[j]] = infinite || !(scaled > 0) ? NAN : x;
+        }
+    }
+    for (i = 0; i < n && out->volumes; i++) out->volume += out->volumes[i];
+    return PARADT_OK;
+}
+
+// For each cell its faces, in the order of their numbers
+PARADT__HOT paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, paradt_voronoi *out) {
+    size_t i, n = work->g.set.count, side;
+    paradt_status status = PARADT_OK;
+    out->first_face = (size_t *)paradt__voronoi_array(work, n + 1, sizeof *out->first_face, &status);
+    if (status) return status;
+    memset(out->first_face, 0, (n + 1) * sizeof *out->first_face);
+    for (i = 0; i < 2 * out->face_count; i++)
+        if (out->sides[i] >= 0) out->first_face[(size_t)out->sides[i] + 1]++;
+    for (i = 0; i < n; i++) out->first_face[i + 1] += out->first_face[i];
+    out->faces = (paradt_index *)paradt__voronoi_array(work, out->first_face[n], sizeof *out->faces, &status);
+    if (status) return status;
+    for (i = 0; i < out->face_count; i++) {
+        for (side = 0; side < 2; side++) {
+            paradt_index point = out->sides[2 * i + side];
+            if (point >= 0) out->faces[out->first_face[point]++] = (paradt_index)i;
+        }
+    }
+    for (i = n; i > 0; i--) out->first_face[i] = out->first_face[i - 1];
+    out->first_face[0] = 0;
+    return PARADT_OK;
+}
+
+// Hands over the faces.
+PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_voronoi *out) {
+    paradt__face_list *list = &work->list;
+    const paradt__diagram *g = &work->g;
+    size_t i, d = (size_t)g->d, j;
+    out->face_count = list->count;
+    out->sides = list->sides;
+    out->areas = list->areas;
+    out->face_centroids = list->centroids;
+    out->normals = list->normals;
+    list->sides = NULL;
+    list->areas = list->centroids = list->normals = NULL;
+    for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
+        if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
+    if (out->areas && (g->shift || g->k < g->d)) {
+        for (i = 0; i < out->face_count; i++) {
+            double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
+            out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
+            memcpy(centroid, out->face_centroids + i * d, d * sizeof(double));
+            memcpy(normal, out->normals + i * d, d * sizeof(double));
+            for (j = 0; j < d; j++) {
+                out->normals[i * d + (size_t)g->set.axes[j]] = normal[j];
+                out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__voronoi_unscaled(g, centroid[j], 1);
+            }
+        }
+    }
+    return paradt__voronoi_incidence(work, out);
+}
+
+// Clips what has to be clipped, or was measured with an error as large as what was measured.
+PARADT__HOT paradt_status paradt__voronoi_clip(paradt__voronoi_work *work) {
+    paradt__diagram *g = &work->g;
+    paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CLIPS);
+    const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    unsigned char *again = (unsigned char *)paradt__alloc(&work->memory, g->set.count, 1);
+    size_t i;
+    paradt_status status;
+    if (!again) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < g->set.count; i++) {
+        again[i] = (g->kind[i] & PARADT__CELL_CLIPPED) != 0;
+        if (g->kind[i] == PARADT__CELL_THERE && work->tally.sums) { // and not clipped
+            const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
+            again[i] = !(sums[0] > sums[1]);
+        }
+    }
+    status = paradt__clip_all(g, &team, work->wants, again, &work->tally, work->unbounded,
+                              work->wants & faces ? &work->list : NULL, &work->corners);
+    paradt__release(&work->memory, again);
+    return status;
+}
+
+// --- polygons
+
+// What of vertices is numbered
+typedef struct paradt__numbering {
+    paradt_index *same;   // [cells] of cells with one sphere: one of them; NULL: there are no centres
+    paradt_index *number; // [cells] of its vertex; -1: none yet
+    paradt_index *alias;  // [places] the first of those that are the same
+    paradt_index *placed; // [places] of its vertex
+    paradt__list of;      // by number: a cell, or -2 - i for a place
+    paradt__list corners; // the result's polygons
+} paradt__numbering;
+
+static void paradt__numbering_free(paradt__numbering *n, paradt__memory *memory) {
+    paradt__release(memory, n->same);
+    paradt__release(memory, n->number);
+    paradt__release(memory, n->alias);
+    paradt__release(memory, n->placed);
+    paradt__list_free(&n->of, memory);
+    paradt__list_free(&n->corners, memory);
+}
+
+// Finds which cells have one sphere.
+PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__voronoi_work *work) {
+    paradt__diagram *g = &work->g;
+    size_t i, corners = (size_t)g->d + 1;
+    if (!g->centred) return PARADT_OK;
+    n->same = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->same);
+    n->number = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->number);
+    if (!n->same || !n->number) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < g->cells; i++) n->same[i] = (paradt_index)i, n->number[i] = -1;
+    for (i = 0; i < g->cells * corners; i++) {
+        paradt_index cell = (paradt_index)(i / corners), a, b;
+        paradt_index link = paradt__row_vertices(g, i / corners, g->row_bytes)[corners + i % corners];
+        paradt_index other = link / (paradt_index)corners;
+        if (i % ((size_t)1 << 14) == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
+        if (link < 0 || other < cell ||
+            paradt__centres_differ(paradt__centre_of(g, cell, g->d), paradt__centre_of(g, other, g->d), g->d) ||
+            !paradt__centres_agree(g, &g->set.space, i / corners, (int)(i % corners)))
+            continue;
+        a = paradt__convex_root(n->same, cell);
+        b = paradt__convex_root(n->same, other);
+        if (a < b) n->same[b] = a;
+        else n->same[a] = b;
+    }
+    for (i = 0; i < g->cells; i++) n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    return PARADT_OK;
+}
+
+// Finds which places are the same.
+static paradt_status paradt__numbering_places(paradt__numbering *n, paradt__voronoi_work *work) {
+    const paradt__corner_list *list = &work->corners;
+    size_t count = list->place_count, i, j, d = (size_t)work->g.d;
+    paradt__exact_work exact;
+    paradt_status status;
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(&work->memory, 2 * count + 1, sizeof *keyed);
+    n->alias = (paradt_index *)paradt__alloc(&work->memory, count, sizeof *n->alias);
+    n->placed = (paradt_index *)paradt__alloc(&work->memory, count, sizeof *n->placed);
+    if (!keyed || !n->alias || !n->placed) {
+        paradt__release(&work->memory, keyed);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < count; i++) {
+        keyed[i].key = paradt__hash_coordinates(list->places + i * d, (int)d);
+        keyed[i].item = (paradt_index)i;
+        n->placed[i] = -1;
+    }
+    paradt__keyed_sort(keyed, keyed + count, count, 64, 0);
+    memset(&exact, 0, sizeof exact);
+    exact.memory = &work->memory;
+    for (i = 0; i < count; i++) {
+        size_t at = (size_t)keyed[i].item;
+        n->alias[at] = (paradt_index)at;
+        for (j = i; j > 0 && keyed[j - 1].key == keyed[i].key; j--) {
+            size_t other = (size_t)keyed[j - 1].item;
+            if (n->alias[other] != (paradt_index)other || !paradt__corner_list_same(&work->g, list, at, other, &exact))
+                continue;
+            n->alias[at] = n->alias[other];
+            break;
+        }
+    }
+    paradt__release(&work->memory, keyed);
+    status = exact.status;
+    paradt__exact_free(&exact);
+    return status;
+}
+
+// Appends a corner to the polygon that began at `begin`, unless it is the last one's again.
+static paradt_status paradt__numbering_add(paradt__numbering *n, paradt__voronoi_work *work, size_t begin,
+                                           paradt_index name) {
+    paradt_index *number, vertex = -1;
+    paradt_status status = PARADT_OK;
+    if (name != -1) {
+        if (name >= 0) name = n->same[name];
+        else name = -2 - n->alias[-2 - name];
+        number = name >= 0 ? &n->number[name] : &n->placed[-2 - name];
+        if (*number < 0) {
+            *number = (paradt_index)n->of.count;
+            status = paradt__list_append(&n->of, name, &work->memory);
+        }
+        vertex = *number;
+    }
+    if (!status && (n->corners.count == begin || n->corners.items[n->corners.count - 1] != vertex))
+        status = paradt__list_append(&n->corners, vertex, &work->memory);
+    return status;
+}
+
+// Appends the corners of a face.
+static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__voronoi_work *work, size_t face) {
+    const paradt__diagram *g = &work->g;
+    paradt_index cell = work->list.cell[face];
+    int edge = work->list.edge[face];
+    size_t begin = n->corners.count, i;
+    paradt_status status = PARADT_OK;
+    if (edge == PARADT__EDGE_CLIPPED) {
+        const paradt_index *corners = work->corners.corners.items + cell;
+        size_t count = (size_t)corners[0]; // backwards where axes that are an odd permutation turn it over
+        for (i = 0; i < count && !status; i++)
+            status = paradt__numbering_add(n, work, begin, corners[g->odd && g->d <= 3 ? count - i : i + 1]);
+    } else if (g->d == 2) {
+        status =
+            paradt__numbering_add(n, work, begin, paradt__row_vertices(g, (size_t)cell, g->row_bytes)[3 + edge] / 3);
+        if (!status) status = paradt__numbering_add(n, work, begin, cell);
+    } else {
+        const unsigned char *places = paradt__ring_edges[edge];
+        const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
+        paradt_index at = cell, kept = row[places[3]], handle;
+        int cross = places[2];
+        do {
+            status = paradt__numbering_add(n, work, begin, at);
+            handle = row[4 + cross];
+            at = handle >> 2;
+            row = paradt__row_vertices(g, (size_t)at, g->row_bytes);
+            cross = paradt__given_place(row, kept, 4);
+            kept = row[handle & 3];
+        } while (at != cell && !status);
+    }
+    if (!status && g->d <= 3 && n->corners.count > begin + 1 &&
+        n->corners.items[begin] == n->corners.items[n->corners.count - 1])
+        n->corners.count--;
+    return status;
+}
+
+// Fills the vertices.
+static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__voronoi_work *work, paradt_voronoi *out) {
+    const paradt__diagram *g = &work->g;
+    size_t d = (size_t)g->d, i, j;
+    paradt_status status = PARADT_OK;
+    int exact = 1;
+    out->vertex_count = n->of.count;
+    out->vertices = (double *)paradt__voronoi_array(work, n->of.count * d, sizeof(double), &status);
+    if (status) return status;
+    for (i = 0; i < n->of.count; i++) {
+        paradt_index of = n->of.items[i];
+        const double *x = of >= 0 ? paradt__centre_of(g, of, g->d) : work->corners.places + (size_t)(-2 - of) * d;
+        for (j = 0; j < d; j++) {
+            double y = of >= 0 && g->shift ? paradt__scale(x[j], g->shift, &exact) : x[j];
+            out->vertices[i * d + (size_t)g->set.axes[j]] = y + 0.0;
+        }
+    }
+    return PARADT_OK;
+}
+
+// Numbers the vertices, and makes the polygons of all faces.
+PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, paradt_voronoi *out) {
+    paradt__numbering n;
+    size_t i;
+    paradt_status status;
+    memset(&n, 0, sizeof n);
+    status = paradt__numbering_cells(&n, work);
+    if (!status) status = paradt__numbering_places(&n, work);
+    out->first_vertex = (size_t *)paradt__voronoi_array(work, work->list.count + 1, sizeof(size_t), &status);
+    if (!status) out->first_vertex[0] = 0;
+    for (i = 0; i < work->list.count && !status; i++) {
+        if (i % PARADT__DIAGRAM_PACE == 0 && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+        else status = paradt__numbering_face(&n, work, i);
+        out->first_vertex[i + 1] = n.corners.count;
+    }
+    if (!status) status = paradt__numbering_vertices(&n, work, out);
+    if (!status) {
+        out->polygons = n.corners.items;
+        memset(&n.corners, 0, sizeof n.corners);
+        if (!out->polygons) out->polygons = (paradt_index *)paradt__voronoi_array(work, 0, 1, &status);
+    }
+    paradt__numbering_free(&n, &work->memory);
+    return status;
+}
+
+static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                         const paradt_points *points, const paradt_voronoi_request *request,
+                                         paradt_voronoi *out) {
+    paradt__diagram *g = &work->g;
+    paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CENTRES);
+    const unsigned measures = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS;
+    const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    paradt_status status = paradt__voronoi_read(work, t, points, &out->error_point);
+    if (!status) status = paradt__voronoi_walls(work, request);
+    if (!status) status = paradt__voronoi_scale(work);
+    if (status) return status;
+    out->unbounded = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    work->unbounded = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    if (!out->unbounded || !work->unbounded) return PARADT_ERROR_MEMORY;
+    memset(work->unbounded, 0, points->count);
+    work->tally.width = work->wants & PARADT_VORONOI_CENTROIDS ? 2 + g->d : 2;
+    if (work->wants & measures) {
+        size_t bytes = points->count * (size_t)work->tally.width * sizeof(double);
+        work->tally.sums = (double *)paradt__alloc_filled(&work->memory, bytes, 1);
+        if (!work->tally.sums) return PARADT_ERROR_MEMORY;
+        memset(work->tally.sums, 0, bytes);
+    }
+    paradt__face_list_begin(&work->list, g->d, work->wants, &work->memory);
+    if (g->centred) {
+        status = paradt__centres_make(g, &team);
+        team = paradt__voronoi_team(work, PARADT__VORONOI_FACES);
+        if (!status)
+            status = paradt__faces_make(g, &team, work->wants, &work->tally, work->wants & faces ? &work->list : NULL);
+    }
+    if (!status) status = paradt__voronoi_clip(work);
+    if (!status) status = paradt__voronoi_cells(work, out);
+    if (!status && work->wants & faces) {
+        if (work->wants & PARADT_VORONOI_POLYGONS) status = paradt__voronoi_polygons(work, out);
+        if (!status) status = paradt__voronoi_faces(work, out);
+    }
+    return status;
+}
+
+PARADT_DEF void paradt_voronoi_free(paradt_voronoi *voronoi) {
+    paradt__memory memory;
+    paradt_options options;
+    if (!voronoi) return;
+    memset(&options, 0, sizeof options);
+    options.allocator = voronoi->allocator;
+    paradt__memory_begin(&memory, &options);
+    paradt__release(&memory, voronoi->volumes);
+    paradt__release(&memory, voronoi->volume_errors);
+    paradt__release(&memory, voronoi->centroids);
+    paradt__release(&memory, voronoi->unbounded);
+    paradt__release(&memory, voronoi->sides);
+    paradt__release(&memory, voronoi->areas);
+    paradt__release(&memory, voronoi->face_centroids);
+    paradt__release(&memory, voronoi->normals);
+    paradt__release(&memory, voronoi->first_face);
+    paradt__release(&memory, voronoi->faces);
+    paradt__release(&memory, voronoi->vertices);
+    paradt__release(&memory, voronoi->first_vertex);
+    paradt__release(&memory, voronoi->polygons);
+    memset(voronoi, 0, sizeof *voronoi);
+    voronoi->dim = -1;
+}
+
+// Ends a call: frees all but the result.
+static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voronoi *out, paradt_status status, int dim,
+                                         double begun) {
+    work->meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    paradt__face_list_free(&work->list);
+    paradt__corner_list_free(&work->corners, &work->memory);
+    paradt__release(&work->memory, work->tally.sums);
+    paradt__release(&work->memory, work->scaled);
+    paradt__release(&work->memory, work->unbounded);
+    paradt__release(&work->memory, work->g.walls);
+    paradt__release(&work->memory, work->g.rows_block);
+    paradt__release(&work->memory, work->g.kind);
+    paradt__set_free(&work->g.set, &work->memory);
+    if (status) {
+        size_t bad = out->error_point;
+        paradt_voronoi_free(out);
+        out->error_point = bad;
+        out->error_text = paradt_status_string(status);
+    } else {
+        out->dim = dim;
+    }
+    out->seconds = paradt__now() - begun;
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const paradt_triangulation *triangulation,
+                                                const paradt_points *points, const paradt_voronoi_request *request,
+                                                const paradt_options *options) {
+    enum { WORTHWHILE = 2000 }; // points: with fewer, threads cost more than they gain
+    paradt__voronoi_work work;
+    paradt_status status;
+    double begun = paradt__now();
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    memset(out, 0, sizeof *out);
+    out->dim = -1;
+    status = paradt__check_arguments(points, options, &out->error_text);
+    if (!status) {
+        out->error_text = paradt__voronoi_fault(triangulation, points, request);
+        if (out->error_text) status = PARADT_ERROR_ARGUMENT;
+    }
+    if (status) return status;
+    memset(&work, 0, sizeof work);
+    if (options) work.options = *options;
+    paradt__memory_begin(&work.memory, options);
+    paradt__meter_begin(&work.meter, options);
+    out->allocator = work.memory.allocator;
+    out->cell_count = points->count;
+    work.wants = request && request->outputs ? request->outputs : (unsigned)PARADT_VORONOI_VOLUMES;
+    work.tasks = points->count < WORTHWHILE ? 1
+                 : work.options.regions     ? work.options.regions
+                                            : (size_t)PARADT__MOST_TASKS;
+    if (points->count) status = paradt__voronoi_run(&work, triangulation, points, request, out);
+    return paradt__voronoi_end(&work, out, status, points->dim, begun);
+}
+#endif // PARADT_NO_VORONOI
 
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------

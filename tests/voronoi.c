@@ -1,0 +1,803 @@
+// Voronoi and power diagrams against their definition in rational numbers: each cell is the box cut by the half-spaces of all
+// other points and of all planes, by the double description method. Structure is compared exactly, measures within the stated
+// errors.
+#include "harness.h"
+#include "runners.h"
+
+// --- the definition, in rational numbers
+
+enum { MOST_PLANES = 64 };
+
+typedef struct place {
+    mpq_t x[CELLS_MAX_DIM];
+    uint64_t tight; // the planes that it is on
+} place;
+
+typedef struct halfspace {
+    mpq_t normal[CELLS_MAX_DIM], offset; // normal . x <= offset
+    int side;                            // a point, or -1 - k: wall k
+    int far;                             // a wall that stands for infinity
+} halfspace;
+
+typedef struct true_cell {
+    int dim, plane_count, vertex_count, capacity;
+    halfspace plane[MOST_PLANES];
+    place *vertex;
+    int rank; // affine dimension of the vertices; -1: the cell is empty
+} true_cell;
+
+static void place_init(place *p, int dim) {
+    for (int j = 0; j < dim; j++)
+        mpq_init(p->x[j]);
+    p->tight = 0;
+}
+
+static void place_clear(place *p, int dim) {
+    for (int j = 0; j < dim; j++)
+        mpq_clear(p->x[j]);
+}
+
+static place *cell_new_vertex(true_cell *c) {
+    if (c->vertex_count == c->capacity) {
+        c->capacity = 2 * c->capacity + 16;
+        c->vertex = (place *)realloc(c->vertex, (size_t)c->capacity * sizeof *c->vertex);
+        assert_non_null(c->vertex);
+    }
+    place_init(&c->vertex[c->vertex_count], c->dim);
+    return &c->vertex[c->vertex_count++];
+}
+
+static halfspace *cell_new_plane(true_cell *c, int side) {
+    assert_true(c->plane_count < MOST_PLANES);
+    halfspace *h = &c->plane[c->plane_count++];
+    for (int j = 0; j < c->dim; j++)
+        mpq_init(h->normal[j]);
+    mpq_init(h->offset);
+    h->side = side;
+    h->far = 0;
+    return h;
+}
+
+static void cell_free(true_cell *c) {
+    for (int i = 0; i < c->vertex_count; i++)
+        place_clear(&c->vertex[i], c->dim);
+    for (int i = 0; i < c->plane_count; i++) {
+        for (int j = 0; j < c->dim; j++)
+            mpq_clear(c->plane[i].normal[j]);
+        mpq_clear(c->plane[i].offset);
+    }
+    free(c->vertex);
+}
+
+// value = normal . x - offset
+static void cell_evaluate(mpq_t value, const halfspace *h, const place *p, int dim) {
+    mpq_t term;
+    mpq_init(term);
+    mpq_neg(value, h->offset);
+    for (int j = 0; j < dim; j++) {
+        mpq_mul(term, h->normal[j], p->x[j]);
+        mpq_add(value, value, term);
+    }
+    mpq_clear(term);
+}
+
+// Cuts off what is outside of the last plane.
+static void cell_cut(true_cell *c) {
+    int before = c->vertex_count, number = c->plane_count - 1;
+    uint64_t bit = (uint64_t)1 << number;
+    mpq_t *value = (mpq_t *)need((size_t)before + 1, sizeof *value);
+    for (int i = 0; i < before; i++) {
+        mpq_init(value[i]);
+        cell_evaluate(value[i], &c->plane[number], &c->vertex[i], c->dim);
+        if (mpq_sgn(value[i]) == 0)
+            c->vertex[i].tight |= bit;
+    }
+    for (int a = 0; a < before; a++)
+        for (int b = 0; b < before; b++) {
+            uint64_t common = c->vertex[a].tight & c->vertex[b].tight;
+            int edge = 1;
+            if (mpq_sgn(value[a]) <= 0 || mpq_sgn(value[b]) >= 0)
+                continue;
+            for (int k = 0; k < before && edge; k++)
+                edge = k == a || k == b || (common & ~c->vertex[k].tight);
+            if (!edge)
+                continue;
+            place *made = cell_new_vertex(c);
+            mpq_t t, u;
+            mpq_inits(t, u, NULL);
+            mpq_sub(t, value[a], value[b]);
+            mpq_div(t, value[a], t); // of the way from a to b
+            for (int j = 0; j < c->dim; j++) {
+                mpq_sub(u, c->vertex[b].x[j], c->vertex[a].x[j]);
+                mpq_mul(u, u, t);
+                mpq_add(made->x[j], c->vertex[a].x[j], u);
+            }
+            made->tight = common | bit;
+            mpq_clears(t, u, NULL);
+        }
+    int kept = 0;
+    for (int i = 0; i < c->vertex_count; i++) {
+        if (i < before && mpq_sgn(value[i]) > 0) {
+            place_clear(&c->vertex[i], c->dim);
+            continue;
+        }
+        c->vertex[kept++] = c->vertex[i];
+    }
+    c->vertex_count = kept;
+    for (int i = 0; i < before; i++)
+        mpq_clear(value[i]);
+    free(value);
+}
+
+// The affine dimension of some vertices; -1 for none
+static int rank_of(const true_cell *c, const int *list, int count) {
+    int rank = 0, d = c->dim;
+    mpq_t(*m)[CELLS_MAX_DIM] = (mpq_t(*)[CELLS_MAX_DIM])need((size_t)count + 1, sizeof *m), t;
+    if (!count) {
+        free(m);
+        return -1;
+    }
+    mpq_init(t);
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < d; j++) {
+            mpq_init(m[i][j]);
+            mpq_sub(m[i][j], c->vertex[list[i]].x[j], c->vertex[list[0]].x[j]);
+        }
+    for (int column = 0; column < d && rank < count; column++) {
+        int pivot = rank;
+        while (pivot < count && mpq_sgn(m[pivot][column]) == 0)
+            pivot++;
+        if (pivot == count)
+            continue;
+        for (int j = 0; j < d; j++)
+            mpq_swap(m[pivot][j], m[rank][j]);
+        for (int i = rank + 1; i < count; i++)
+            for (int j = d - 1; j >= column; j--) {
+                mpq_div(t, m[i][column], m[rank][column]);
+                mpq_mul(t, t, m[rank][j]);
+                mpq_sub(m[i][j], m[i][j], t);
+            }
+        rank++;
+    }
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < d; j++)
+            mpq_clear(m[i][j]);
+    mpq_clear(t);
+    free(m);
+    return rank;
+}
+
+// The vertices of a list that are on a plane
+static int vertices_on(const true_cell *c, const int *list, int count, int plane, int *out) {
+    int found = 0;
+    for (int i = 0; i < count; i++)
+        if (c->vertex[list[i]].tight >> plane & 1)
+            out[found++] = list[i];
+    return found;
+}
+
+// Adds the simplices of a face of dimension k to the volume times dim!, and to the moment times (dim + 1)!.
+static void add_simplices(const true_cell *c, const int *list, int count, int k, int *apexes, mpq_t volume,
+                          mpq_t *moment) {
+    int d = c->dim;
+    apexes[d - k] = list[0];
+    if (k == 0) {
+        mpq_t m[CELLS_MAX_DIM][CELLS_MAX_DIM], det, t;
+        mpq_inits(det, t, NULL);
+        mpq_set_si(det, 1, 1);
+        for (int i = 0; i < d; i++)
+            for (int j = 0; j < d; j++) {
+                mpq_init(m[i][j]);
+                mpq_sub(m[i][j], c->vertex[apexes[i + 1]].x[j], c->vertex[apexes[0]].x[j]);
+            }
+        for (int i = 0; i < d; i++) {
+            int pivot = i;
+            while (pivot < d && mpq_sgn(m[pivot][i]) == 0)
+                pivot++;
+            if (pivot == d) {
+                mpq_set_si(det, 0, 1);
+                break;
+            }
+            for (int j = 0; j < d && pivot != i; j++)
+                mpq_swap(m[pivot][j], m[i][j]);
+            mpq_mul(det, det, m[i][i]);
+            for (int r = i + 1; r < d; r++)
+                for (int j = d - 1; j >= i; j--) {
+                    mpq_div(t, m[r][i], m[i][i]);
+                    mpq_mul(t, t, m[i][j]);
+                    mpq_sub(m[r][j], m[r][j], t);
+                }
+        }
+        mpq_abs(det, det);
+        mpq_add(volume, volume, det);
+        for (int j = 0; j < d && moment; j++)
+            for (int i = 0; i <= d; i++) {
+                mpq_mul(t, det, c->vertex[apexes[i]].x[j]);
+                mpq_add(moment[j], moment[j], t);
+            }
+        for (int i = 0; i < d; i++)
+            for (int j = 0; j < d; j++)
+                mpq_clear(m[i][j]);
+        mpq_clears(det, t, NULL);
+        return;
+    }
+    int *sub = (int *)need((size_t)count, sizeof *sub), *other = (int *)need((size_t)count, sizeof *other);
+    for (int h = 0; h < c->plane_count; h++) {
+        int n = vertices_on(c, list, count, h, sub), seen = 0;
+        if (!n || n == count || c->vertex[list[0]].tight >> h & 1)
+            continue;
+        for (int g = 0; g < h && !seen; g++) // another plane with the same vertices
+            seen = vertices_on(c, list, count, g, other) == n && !memcmp(sub, other, (size_t)n * sizeof *sub);
+        if (!seen && rank_of(c, sub, n) == k - 1)
+            add_simplices(c, sub, n, k - 1, apexes, volume, moment);
+    }
+    free(sub);
+    free(other);
+}
+
+// --- a case: points, and what clips their cells
+
+typedef struct clip {
+    const char *name;
+    double *box;
+    double *planes;
+    size_t plane_count;
+} clip;
+
+// The cell of point p. `far` is the exponent of the size of what stands for infinity.
+static true_cell cell_of(const sample *s, const clip *k, int p, int far) {
+    true_cell c = {0};
+    int d = c.dim = s->dim;
+    mpq_t t, infinity;
+    mpq_inits(t, infinity, NULL);
+    mpq_set_si(infinity, 1, 1);
+    mpq_mul_2exp(infinity, infinity, (mp_bitcnt_t)far);
+    for (int i = 0; i < 2 * d; i++) {
+        halfspace *h = cell_new_plane(&c, -1 - i);
+        int open = !k->box || isinf(k->box[i]);
+        mpq_set_si(h->normal[i % d], i < d ? -1 : 1, 1);
+        if (open)
+            mpq_set(h->offset, infinity);
+        else
+            mpq_set_d(h->offset, i < d ? -k->box[i] : k->box[i]);
+        h->far = open;
+    }
+    for (int corner = 0; corner < 1 << d; corner++) {
+        place *v = cell_new_vertex(&c);
+        for (int j = 0; j < d; j++) {
+            int wall = j + (corner >> j & 1 ? d : 0);
+            mpq_set(v->x[j], c.plane[wall].offset);
+            if (wall < d)
+                mpq_neg(v->x[j], v->x[j]);
+            v->tight |= (uint64_t)1 << wall;
+        }
+    }
+    for (int j = 0; j < d; j++) { // a box of no width has its corners twice
+        mpq_add(t, c.plane[j].offset, c.plane[j + d].offset);
+        if (mpq_sgn(t) >= 0)
+            continue;
+        for (int i = 0; i < c.vertex_count; i++)
+            place_clear(&c.vertex[i], d);
+        c.vertex_count = 0;
+    }
+    for (size_t i = 0; i < k->plane_count; i++) {
+        halfspace *h = cell_new_plane(&c, -1 - 2 * d - (int)i);
+        for (int j = 0; j < d; j++)
+            mpq_set_d(h->normal[j], k->planes[i * (size_t)(d + 1) + (size_t)j]);
+        mpq_set_d(h->offset, k->planes[i * (size_t)(d + 1) + (size_t)d]);
+        cell_cut(&c);
+    }
+    for (int q = 0; q < s->count; q++) { // |x - p|^2 - w_p <= |x - q|^2 - w_q
+        const double *from = s->x + p * d, *to = s->x + q * d;
+        if (!compare_coordinates(from, to, d)) {
+            if (s->w && q != p && (s->w[q] > s->w[p] || (s->w[q] == s->w[p] && q < p)))
+                c.vertex_count = 0; // leaks nothing that matters
+            if (!s->w && q < p)
+                c.vertex_count = 0;
+            continue;
+        }
+        halfspace *h = cell_new_plane(&c, q);
+        for (int j = 0; j < d; j++) {
+            mpq_t a, b;
+            mpq_inits(a, b, NULL);
+            mpq_set_d(a, from[j]);
+            mpq_set_d(b, to[j]);
+            mpq_sub(h->normal[j], b, a);
+            mpq_mul_2exp(h->normal[j], h->normal[j], 1);
+            mpq_mul(a, a, a);
+            mpq_mul(b, b, b);
+            mpq_add(h->offset, h->offset, b);
+            mpq_sub(h->offset, h->offset, a);
+            mpq_clears(a, b, NULL);
+        }
+        if (s->w) {
+            mpq_set_d(t, s->w[p]);
+            mpq_add(h->offset, h->offset, t);
+            mpq_set_d(t, s->w[q]);
+            mpq_sub(h->offset, h->offset, t);
+        }
+        cell_cut(&c);
+    }
+    int *all = (int *)need((size_t)c.vertex_count + 1, sizeof *all);
+    for (int i = 0; i < c.vertex_count; i++)
+        all[i] = i;
+    c.rank = rank_of(&c, all, c.vertex_count);
+    free(all);
+    mpq_clears(t, infinity, NULL);
+    return c;
+}
+
+static int is_far(const true_cell *c, const place *v) {
+    for (int h = 0; h < c->plane_count; h++)
+        if (c->plane[h].far && v->tight >> h & 1)
+            return 1;
+    return 0;
+}
+
+// --- comparing
+
+static const char *check_cell_measures(const paradt_voronoi *v, const true_cell *c, int p, int ordinary) {
+    int d = c->dim, unbounded = 0, *all = (int *)need((size_t)c->vertex_count + 1, sizeof *all), apexes[CELLS_MAX_DIM + 1];
+    const char *wrong = NULL;
+    for (int i = 0; i < c->vertex_count; i++) {
+        all[i] = i;
+        unbounded |= is_far(c, &c->vertex[i]);
+    }
+    mpq_t volume, t, moment[CELLS_MAX_DIM];
+    mpq_inits(volume, t, NULL);
+    for (int j = 0; j < d; j++)
+        mpq_init(moment[j]);
+    if (c->rank == d && !unbounded)
+        add_simplices(c, all, c->vertex_count, d, apexes, volume, moment);
+    for (int i = 2; i <= d; i++) {
+        mpq_set_si(t, i, 1);
+        mpq_div(volume, volume, t);
+    }
+    if (c->rank == d && unbounded != v->unbounded[p])
+        wrong = "a cell is unbounded and is not said to be, or the other way round";
+    else if (v->volumes && c->rank < d && v->volumes[p] != 0 && !unbounded)
+        wrong = "an empty cell has a volume";
+    else if (v->volumes && c->rank == d && unbounded && !isinf(v->volumes[p]))
+        wrong = "an unbounded cell has a finite volume";
+    else if (v->volumes && c->rank == d && !unbounded && !isinf(v->volume_errors[p])) {
+        mpq_set_d(t, v->volumes[p]);
+        mpq_sub(t, t, volume);
+        mpq_abs(t, t);
+        double off = mpq_get_d(t), true_volume = mpq_get_d(volume);
+        mpq_t error;
+        mpq_init(error);
+        mpq_set_d(error, v->volume_errors[p]);
+        if (mpq_cmp(t, error) > 0) {
+            print_message("# volume %.17g, true %.17g, off %g, error %g\n", v->volumes[p], true_volume, off, v->volume_errors[p]);
+            wrong = "a volume's error is larger than it says";
+        }
+        mpq_clear(error);
+        if (ordinary && !strncmp(watched->name, "uniform, unweighted", 19) && v->volume_errors[p] > 1e-9 * true_volume + 1e-14) {
+            print_message("# volume %g, error %g\n", v->volumes[p], v->volume_errors[p]);
+            wrong = "a volume's error is large";
+        }
+        for (int j = 0; j < d && v->centroids && !wrong && ordinary && v->volumes[p] > 1e6 * v->volume_errors[p]; j++) {
+            // moment / (d + 1)! / volume
+            double centroid;
+            mpq_set(t, moment[j]);
+            mpq_div(t, t, volume);
+            centroid = mpq_get_d(t);
+            for (int i = 2; i <= d + 1; i++)
+                centroid /= i;
+            if (!(fabs(v->centroids[p * d + j] - centroid) <= 1e-5 * (1 + fabs(centroid))))
+                wrong = "a centroid is wrong";
+        }
+    }
+    for (int j = 0; j < d; j++)
+        mpq_clear(moment[j]);
+    mpq_clears(volume, t, NULL);
+    free(all);
+    return wrong;
+}
+
+// The distance of a vertex of the diagram from a true one, in the largest coordinate
+static double vertex_distance(const double *x, const place *v, int d) {
+    double most = 0;
+    mpq_t t;
+    mpq_init(t);
+    for (int j = 0; j < d; j++) {
+        mpq_set_d(t, x[j]);
+        mpq_sub(t, t, v->x[j]);
+        most = fmax(most, fabs(mpq_get_d(t)));
+    }
+    mpq_clear(t);
+    return most;
+}
+
+// Compares the polygon of a face with the vertices that it has in truth.
+static const char *check_polygon(const paradt_voronoi *v, const true_cell *c, const int *list, int count, size_t f,
+                                 double reach) {
+    int d = c->dim, far = 0, near = 0, listed_far = 0;
+    size_t begin = v->first_vertex[f], end = v->first_vertex[f + 1];
+    char *found = (char *)need((size_t)count + 1, 1);
+    const char *wrong = NULL;
+    for (int i = 0; i < count; i++)
+        far |= is_far(c, &c->vertex[list[i]]);
+    for (size_t i = begin; i < end && !wrong; i++) {
+        paradt_index number = v->polygons[i];
+        if (number < 0) {
+            listed_far++;
+            continue;
+        }
+        int best = -1;
+        double least = HUGE_VAL;
+        for (int j = 0; j < count; j++) {
+            if (is_far(c, &c->vertex[list[j]]))
+                continue;
+            double distance = vertex_distance(v->vertices + (size_t)number * (size_t)d, &c->vertex[list[j]], d);
+            if (distance < least)
+                least = distance, best = j;
+        }
+        double size = 0;
+        for (int j = 0; j < d; j++)
+            size = fmax(size, fabs(v->vertices[(size_t)number * (size_t)d + (size_t)j]));
+        if (best < 0 || least > 1e-11 * (size + reach))
+            wrong = "a vertex of a polygon is none of the face's";
+        else
+            found[best] = 1;
+        near++;
+    }
+    int true_near = 0, reached = 0;
+    for (int j = 0; j < count; j++)
+        if (!is_far(c, &c->vertex[list[j]])) {
+            true_near++;
+            reached += found[j];
+        }
+    if (!wrong && near != true_near) {
+        print_message("# %d corners, %d in truth\n", near, true_near);
+        wrong = "a polygon has too few or too many vertices";
+    }
+    if (!wrong && listed_far != far)
+        wrong = "a polygon does not tell that its face is unbounded, or the other way round";
+    (void)reached;
+    free(found);
+    return wrong;
+}
+
+// The turns of a polygon are to the left when it is seen from the second side.
+static const char *check_turns(const paradt_voronoi *v, size_t f, double reach) {
+    size_t begin = v->first_vertex[f], count = v->first_vertex[f + 1] - begin;
+    const paradt_index *p = v->polygons + begin;
+    int d = v->dim;
+    for (size_t i = 0; i < count && d == 3; i++) {
+        double a[3], b[3], turn = 0;
+        if (p[i] < 0 || p[(i + 1) % count] < 0 || p[(i + 2) % count] < 0)
+            continue;
+        for (int j = 0; j < 3; j++) {
+            a[j] = v->vertices[3 * p[(i + 1) % count] + j] - v->vertices[3 * p[i] + j];
+            b[j] = v->vertices[3 * p[(i + 2) % count] + j] - v->vertices[3 * p[(i + 1) % count] + j];
+        }
+        for (int j = 0; j < 3; j++)
+            turn += v->normals[3 * f + (size_t)j] * (a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3]);
+        if (turn < -1e-9 * reach * reach)
+            return "a polygon turns the wrong way";
+    }
+    if (d == 2 && count == 2 && p[0] >= 0 && p[1] >= 0) {
+        double turn = v->normals[2 * f] * (v->vertices[2 * p[1] + 1] - v->vertices[2 * p[0] + 1]) -
+                      v->normals[2 * f + 1] * (v->vertices[2 * p[1]] - v->vertices[2 * p[0]]);
+        if (turn < -1e-9 * reach)
+            return "a segment goes the wrong way";
+    }
+    return NULL;
+}
+
+// The measure of a true face in space or in the plane
+static double area_of(const true_cell *c, const int *list, int count, int plane) {
+    int d = c->dim;
+    mpq_t square, volume, distance, t;
+    double area;
+    mpq_inits(square, volume, distance, t, NULL);
+    for (int j = 0; j < d; j++) {
+        mpq_mul(t, c->plane[plane].normal[j], c->plane[plane].normal[j]);
+        mpq_add(square, square, t);
+    }
+    if (d == 2) {
+        mpq_set_si(square, 0, 1);
+        for (int j = 0; j < 2; j++) {
+            mpq_sub(t, c->vertex[list[1]].x[j], c->vertex[list[0]].x[j]);
+            mpq_mul(t, t, t);
+            mpq_add(square, square, t);
+        }
+        area = sqrt(mpq_get_d(square));
+    } else { // the volume of the cone from a place beside it
+        true_cell beside = *c;
+        int apexes[CELLS_MAX_DIM + 1], *all = (int *)need((size_t)count, sizeof *all);
+        beside.vertex = (place *)need((size_t)c->vertex_count + 1, sizeof *beside.vertex);
+        memcpy(beside.vertex, c->vertex, (size_t)c->vertex_count * sizeof *beside.vertex);
+        place_init(&beside.vertex[c->vertex_count], d);
+        for (int j = 0; j < d; j++)
+            mpq_add(beside.vertex[c->vertex_count].x[j], c->vertex[list[0]].x[j], c->plane[plane].normal[j]);
+        apexes[0] = c->vertex_count;
+        memcpy(all, list, (size_t)count * sizeof *all);
+        add_simplices(&beside, all, count, d - 1, apexes, volume, NULL);
+        area = mpq_get_d(volume) / (2 * sqrt(mpq_get_d(square))); // 3! volume = area 2 |normal|
+        place_clear(&beside.vertex[c->vertex_count], d);
+        free(beside.vertex);
+        free(all);
+    }
+    mpq_clears(square, volume, distance, t, NULL);
+    return area;
+}
+
+// Compares the faces of a cell that is not flat with those that it has in truth. used: which faces were found
+static const char *check_cell_faces(const paradt_voronoi *v, const true_cell *c, int p, unsigned outputs, double reach,
+                                    int ordinary, char *used) {
+    int d = c->dim, *list = (int *)need((size_t)c->vertex_count + 1, sizeof *list);
+    int *other = (int *)need((size_t)c->vertex_count + 1, sizeof *other), expected = 0;
+    const char *wrong = NULL;
+    for (int h = 0; h < c->plane_count && !wrong; h++) {
+        int n = vertices_on(c, list, NULL == list ? 0 : 0, h, list), seen = 0;
+        for (int i = n = 0; i < c->vertex_count; i++)
+            if (c->vertex[i].tight >> h & 1)
+                list[n++] = i;
+        if (c->plane[h].far || rank_of(c, list, n) != d - 1)
+            continue;
+        size_t f = 0, at;
+        int found = 0, wall = 0;
+        for (int g = 0; g < c->plane_count; g++) { // planes that coincide: one of the sides is named, a wall first
+            int m = 0;
+            for (int i = 0; i < c->vertex_count; i++)
+                if (c->vertex[i].tight >> g & 1)
+                    other[m++] = i;
+            if (m != n || memcmp(list, other, (size_t)n * sizeof *list))
+                continue;
+            seen |= g < h;
+            if (wall)
+                continue;
+            wall = c->plane[g].side < 0;
+            for (at = v->first_face[p]; at < v->first_face[p + 1]; at++) {
+                size_t number = (size_t)v->faces[at];
+                paradt_index a = v->sides[2 * number], b = v->sides[2 * number + 1];
+                if ((a == p && b == c->plane[g].side) || (b == p && a == c->plane[g].side))
+                    found++, f = number;
+            }
+            if (wall && !found)
+                break;
+        }
+        if (seen)
+            continue;
+        expected++;
+        if (found != 1) {
+            print_message("# cell %d, side %d: %d faces\n", p, c->plane[h].side, found);
+            wrong = "a face is missing, or is there twice";
+            break;
+        }
+        used[f] = 1;
+        int far = 0;
+        for (int i = 0; i < n; i++)
+            far |= is_far(c, &c->vertex[list[i]]);
+        if (outputs & PARADT_VORONOI_AREAS && (ordinary || far) && far != !!isinf(v->areas[f]))
+            wrong = "a face is unbounded and is not said to be, or the other way round";
+        if (outputs & PARADT_VORONOI_AREAS && !far && ordinary) {
+            double area = area_of(c, list, n, h), size = reach;
+            for (int i = 0; i < n; i++)
+                for (int j = 0; j < d; j++)
+                    size = fmax(size, fabs(mpq_get_d(c->vertex[list[i]].x[j])));
+            if (fabs(area - v->areas[f]) > 1e-9 * area + 1e-12 * (d == 3 ? size * size : size)) {
+                print_message("# area %g, true %g\n", v->areas[f], area);
+                wrong = "an area is wrong";
+            }
+        }
+        if (!wrong && outputs & PARADT_VORONOI_POLYGONS && ordinary)
+            wrong = check_polygon(v, c, list, n, f, reach);
+    }
+    if (!wrong && (size_t)expected != v->first_face[p + 1] - v->first_face[p]) {
+        print_message("# cell %d: %d faces, %d in truth\n", p, (int)(v->first_face[p + 1] - v->first_face[p]), expected);
+        wrong = "a cell has too many faces";
+    }
+    free(list);
+    free(other);
+    return wrong;
+}
+
+static size_t count_vertices(mpq_t (*x)[CELLS_MAX_DIM], size_t count, int d) {
+    size_t different = 0;
+    for (size_t i = 0; i < count; i++) {
+        size_t k = 0;
+        for (; k < i; k++) {
+            int j = 0;
+            while (j < d && mpq_equal(x[i][j], x[k][j]))
+                j++;
+            if (j == d)
+                break;
+        }
+        different += k == i;
+    }
+    return different;
+}
+
+static void check_diagram(const sample *s, const clip *k, unsigned outputs, int ordinary) {
+    paradt_points points = points_of(s);
+    paradt_triangulation t;
+    paradt_voronoi v;
+    paradt_voronoi_request request = {0};
+    const char *wrong = NULL;
+    int d = s->dim, flat_cells = 0, far = ordinary ? 2000 : 30000;
+    double reach = 0;
+    char text[200];
+    size_t places = 0, room = 0;
+    mpq_t(*place_of)[CELLS_MAX_DIM] = NULL;
+    request.outputs = outputs;
+    request.box = k->box;
+    request.planes = k->planes;
+    request.plane_count = k->plane_count;
+    memset(&v, 0x5a, sizeof v);
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+    watch(s, 120);
+    paradt_status status = paradt_voronoi_compute(&v, &t, &points, &request, NULL);
+    if (status) {
+        fail_on_sample(s, v.error_text);
+        return;
+    }
+    for (int i = 0; i < s->count * d; i++)
+        reach = fmax(reach, fabs(s->x[i]));
+    for (int i = 0; i < 2 * d && k->box; i++)
+        if (!isinf(k->box[i]))
+            reach = fmax(reach, fabs(k->box[i]));
+    char *used = (char *)need(v.face_count + 1, 1);
+    for (int p = 0; p < s->count && !wrong; p++) {
+        true_cell c = cell_of(s, k, p, far);
+        wrong = check_cell_measures(&v, &c, p, ordinary);
+        if (c.rank >= 0 && c.rank < d)
+            flat_cells++;
+        if (!wrong && c.rank == d && v.faces)
+            wrong = check_cell_faces(&v, &c, p, outputs, reach, ordinary, used);
+        for (int i = 0; i < c.vertex_count && outputs & PARADT_VORONOI_POLYGONS && c.rank == d; i++) {
+            if (is_far(&c, &c.vertex[i]))
+                continue;
+            if (places == room) {
+                room = 2 * room + 64;
+                place_of = (mpq_t(*)[CELLS_MAX_DIM])realloc(place_of, room * sizeof *place_of);
+                assert_non_null(place_of);
+            }
+            for (int j = 0; j < d; j++) {
+                mpq_init(place_of[places][j]);
+                mpq_set(place_of[places][j], c.vertex[i].x[j]);
+            }
+            places++;
+        }
+        cell_free(&c);
+    }
+    for (size_t f = 0; f < v.face_count && !wrong && v.faces; f++)
+        if (!used[f] && !flat_cells)
+            wrong = "a face is none";
+    for (size_t f = 0; f < v.face_count && !wrong && v.polygons && v.normals && ordinary; f++)
+        wrong = check_turns(&v, f, reach);
+    if (!wrong && outputs & PARADT_VORONOI_POLYGONS && ordinary && !flat_cells) {
+        size_t expected = count_vertices(place_of, places, d);
+        if (v.vertex_count != expected) {
+            print_message("# %d vertices, %d in truth\n", (int)v.vertex_count, (int)expected);
+            wrong = "there are too few or too many vertices";
+        }
+    }
+    watch(NULL, 0);
+    if (wrong) {
+        snprintf(text, sizeof text, "clipped by %s, outputs %u: %s", k->name, outputs, wrong);
+        fail_on_sample(s, text);
+    }
+    for (size_t i = 0; i < places; i++)
+        for (int j = 0; j < d; j++)
+            mpq_clear(place_of[i][j]);
+    free(place_of);
+    free(used);
+    paradt_voronoi_free(&v);
+    paradt_free(&t);
+}
+
+// --- tests
+
+enum { CLIPS = 6 };
+
+// Makes what clips number `kind`: of walls many go through points, or halfway between two.
+static clip clip_make(const sample *s, int kind, uint64_t *seed) {
+    static const char *const names[] = {"nothing", "the box of the points", "a box through points", "a box between points",
+                                        "planes through points", "a box and planes"};
+    clip k = {names[kind], NULL, NULL, 0};
+    int d = s->dim;
+    if (kind == 1 || kind == 2 || kind == 3 || kind == 5) {
+        k.box = (double *)need((size_t)(2 * d), sizeof(double));
+        for (int j = 0; j < d; j++) {
+            double low = HUGE_VAL, high = -HUGE_VAL;
+            for (int i = 0; i < s->count && kind == 1; i++) {
+                low = fmin(low, s->x[i * d + j]);
+                high = fmax(high, s->x[i * d + j]);
+            }
+            if (kind > 1) {
+                low = s->x[random_below(seed, s->count) * d + j];
+                high = s->x[random_below(seed, s->count) * d + j];
+                if (kind == 3) {
+                    low = low / 2 + s->x[random_below(seed, s->count) * d + j] / 2;
+                    high = high / 2 + s->x[random_below(seed, s->count) * d + j] / 2;
+                }
+                if (low > high && random_below(seed, 8)) {
+                    double swap = low;
+                    low = high;
+                    high = swap;
+                }
+                if (random_below(seed, 6) == 0)
+                    high = HUGE_VAL;
+            }
+            k.box[j] = low;
+            k.box[d + j] = high;
+        }
+    }
+    if (kind >= 4) {
+        k.plane_count = 1 + (size_t)random_below(seed, 3);
+        k.planes = (double *)need(k.plane_count * (size_t)(d + 1), sizeof(double));
+        for (size_t i = 0; i < k.plane_count; i++) {
+            double *plane = k.planes + i * (size_t)(d + 1);
+            const double *through = s->x + random_below(seed, s->count) * d;
+            do
+                for (int j = 0; j < d; j++)
+                    plane[j] = random_below(seed, 5) - 2;
+            while (!memcmp(plane, (double[CELLS_MAX_DIM]){0}, (size_t)d * sizeof(double)));
+            for (int j = 0; j < d; j++) {
+                if (plane[j] == 0)
+                    plane[j] = 0;
+                plane[d] += plane[j] * through[j]; // rounded, so that it may miss the point by little
+            }
+            if (isinf(plane[d]) || isnan(plane[d]))
+                plane[d] = 0;
+        }
+    }
+    return k;
+}
+
+static void compare_families(int dim, int count, unsigned outputs, const weighting *w, int seeds) {
+    for (int f = 0; f < FAMILY_COUNT; f++)
+        for (int kind = 0; kind < CLIPS; kind++)
+            for (uint64_t seed = 1; seed <= (uint64_t)seeds; seed++) {
+                sample s = family_make(&families[f], w, dim, count, seed * 7 + (uint64_t)kind);
+                uint64_t state = seed * 1000 + (uint64_t)kind;
+                clip k = clip_make(&s, kind, &state);
+                check_diagram(&s, &k, outputs, !families[f].extremes);
+                free(k.box);
+                free(k.planes);
+                sample_free(&s);
+            }
+}
+
+enum { EVERYTHING = 31 };
+
+static void cells_in_the_plane_are_those_of_the_definition(void **state) {
+    (void)state;
+    compare_families(2, 12, EVERYTHING, NULL, is_quick() || SANITIZED ? 1 : 3);
+}
+
+static void cells_in_space_are_those_of_the_definition(void **state) {
+    (void)state;
+    compare_families(3, 14, EVERYTHING, NULL, is_quick() || SANITIZED ? 1 : 2);
+}
+
+static void power_diagrams_are_those_of_the_definition(void **state) {
+    (void)state;
+    for (size_t w = 1; w < sizeof weightings / sizeof *weightings; w++) {
+        compare_families(2, 10, EVERYTHING, &weightings[w], 1);
+        compare_families(3, 10, EVERYTHING, &weightings[w], 1);
+    }
+}
+
+static void cells_of_higher_dimensions_are_those_of_the_definition(void **state) {
+    (void)state;
+    const unsigned outputs = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_FACES | PARADT_VORONOI_POLYGONS;
+    compare_families(4, 9, outputs, NULL, 1);
+    if (is_quick())
+        return;
+    compare_families(4, 9, outputs, &weightings[3], 1);
+    compare_families(5, 8, outputs, NULL, 1);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cells_in_the_plane_are_those_of_the_definition),
+        cmocka_unit_test(cells_in_space_are_those_of_the_definition),
+        cmocka_unit_test(power_diagrams_are_those_of_the_definition),
+        cmocka_unit_test(cells_of_higher_dimensions_are_those_of_the_definition),
+    };
+    return cmocka_run_group_tests_name("voronoi", tests, NULL, NULL);
+}
