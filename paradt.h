@@ -1420,10 +1420,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
-//     space                        267   what the predicates know of a set
+//     space                        277   what the predicates know of a set
 //     filters                      196   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        621   signs in integers
+//     exact                        622   signs in integers
 //     signs                        244   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
@@ -1453,7 +1453,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     order of insertion           162   rounds along the curve
 //     insertion                    296   dig and star, in any dimension
 //     kept spheres                 528   conflict tests by one product, in space
-//     insertion in space           657   dig and star with kept spheres
+//     insertion in space           658   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
 //     inserting                    211   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
@@ -1482,7 +1482,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     methods                      295   one row a method; AUTO's choice
 //     triangulate                  380   the entry
 //   use
-//     minors                        65   determinants with bounds, in floating point
+//     minors                        67   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
 //     hull faces                   341   planes, extreme points, measures
 //     hull                         270   the entry
@@ -1491,19 +1491,28 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     mending by holes             444   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
 //     repair                       510   the entry of repairing
-//     measures of a cell           666   spheres and volumes, rounded once
-//     location                      83   the face that holds a place, asked from any thread
+//     measures of a cell           669   spheres and volumes, rounded once
+//     location                      91   the face that holds a place, asked from any thread
 //     starting cells               275   a vertex near any place
 //     distances                    161   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
-//     locator                      521   the entry of queries
-//     holes of vertices            503   what fills the hole where a vertex goes
-//     state of a living set        684   columns, journal, hidden and coincident points
-//     changes of a living set      612   one point comes, goes or moves; the set anew
-//     living set                   636   the entry
+//     locator                      574   the entry of queries
+//     holes of vertices            738   what fills the hole where a vertex goes
+//     state of a living set        695   columns, journal, hidden and coincident points
+//     changes of a living set      644   one point comes, goes or moves; the set anew
+//     living set                   634   the entry
+//     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
+//     diagram order                134   points and cells in the order of space
+//     Voronoi vertices             157   centres of cells, and their errors
+//     Voronoi faces                488   faces and volumes that nothing clips
+//     planes of a cell             329   where planes meet, in integers
+//     clipped cell                 550   a cell as planes and vertices, in any dimension
+//     measures of a clipped cell   252   volumes, areas, centroids
+//     clipping                     470   all cells that walls or infinity clip
+//     Voronoi                      628   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -2247,7 +2256,8 @@ static double paradt__now(void) {
 // geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
 // fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__space_admits, paradt__space_widen, paradt__compare, paradt__rounding, paradt__quantum.
+// paradt__space_end, paradt__space_admits, paradt__space_widen, paradt__space_refine,
+// paradt__compare, paradt__rounding, paradt__quantum.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -2475,6 +2485,15 @@ PARADT__OPTIONAL void paradt__space_widen(paradt__space *s) {
         s->low[j] = paradt__ordered_bits(low - side);
         s->high[j] = paradt__ordered_bits(high + side);
     }
+}
+
+// Admits numbers with more digits than those that were measured; before paradt__space_end. Without need that costs some
+// speed: a determinant of numbers with few digits is known to be 0 where it is small.
+PARADT__OPTIONAL void paradt__space_refine(paradt__space *s) {
+    enum { SMALLER = 40 }; // numbers so many bits below the largest have all their digits
+    if (s->coordinates.unit > s->coordinates.top) return; // there are none but 0
+    s->coordinates.bottom = paradt__min(s->coordinates.bottom, s->coordinates.top - SMALLER);
+    s->coordinates.unit = paradt__min(s->coordinates.unit, s->coordinates.top - SMALLER - 53);
 }
 
 // Compares two points lexicographically by the first dim coordinates: -1, 0 or 1.
@@ -2827,7 +2846,8 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
 // is the square of that unit, or less if the weights need it.
 // Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere; for numbers instead of signs
-// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference.
+// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference; for determinants of
+// other rows paradt__mantissa, paradt__fix, paradt__small_sign, paradt__next_subset.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
 static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
@@ -3447,7 +3467,7 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
 // into the space, and the cell of an in-sphere test must be positively oriented.
 // The ties are broken as by Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
 // CGTA 44, 2011. The public predicates measure the points of each call.
-// Doors: paradt__orient, paradt__perturbed, paradt__conflict.
+// Doors: paradt__orient, paradt__insphere, paradt__perturbed, paradt__conflict.
 
 // Was the set measured, up to the end, and are the dimensions among those measured?
 PARADT__INLINE int paradt__space_is_ready(const paradt__space *s) {
@@ -9213,8 +9233,8 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
 // Between two insertions `scene` is as >>scene says, no cell has the marks PARADT__CONFLICT and PARADT__OUTSIDE, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
 // Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
-// paradt__insertion_first_cells, paradt__cavity_dig, paradt__cavity_star, paradt__cavity_clear, paradt__insert,
-// paradt__insert_at.
+// paradt__insertion_first_cells, paradt__cavity_dig, paradt__cavity_star, paradt__cavity_fill, paradt__cavity_join,
+// paradt__cavity_clear, paradt__insert, paradt__insert_at.
 
 struct paradt__kept; // see >>kept spheres
 struct paradt__insertion;
@@ -9847,7 +9867,7 @@ PARADT__INLINE paradt__sphere *paradt__kept_evict(const paradt__insertion *build
 PARADT__NOINLINE void paradt__kept_remake(const paradt__insertion *build, paradt_index cell) {
     paradt__sphere *sphere = paradt__kept_evict(build, cell);
     paradt__kept_make(build, cell);
-    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__IN_CAVITY;
+    if (build->kept->evicted && build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__IN_CAVITY;
 }
 
 // Returns the sphere of a cell, which is in the table afterwards.
@@ -10675,6 +10695,7 @@ PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, pa
             paradt__fetch_row(build->scene.mesh.vertices, build->scene.mesh.links, (size_t)other, 4);
             PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
             if (vertices[j] >= 0) PARADT__PREFETCH(paradt__scene_record(&build->scene, vertices[j]));
+            PARADT__FETCH(s->number, vertices[j] + 1);
             if (count < CELLS) around[count++] = other;
         }
     }
@@ -11107,7 +11128,7 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
     for (i = 0; i < missing; i += 4) paradt__kept_remake_four(build, cells + i);
-    for (i = 0; i < missing; i++) {
+    for (i = 0; i < missing && s->evicted; i++) { // else no cell has the mark
         paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
         if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
             sphere->tag |= PARADT__IN_CAVITY;
@@ -17383,7 +17404,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 }
 #endif
 
-#ifndef PARADT_NO_HULLS
+#if !defined(PARADT_NO_HULLS) || !defined(PARADT_NO_VORONOI)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>minors
 //
@@ -17448,7 +17469,9 @@ PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, 
     *error = paradt__minors_factor(k) * sizes + PARADT__ROUNDOFF * (terms + 4) * squares;
     return squares;
 }
+#endif
 
+#ifndef PARADT_NO_HULLS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>hull points
 //
@@ -18540,8 +18563,8 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 // The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
 // that links back, where both have a vertex of their own, and that the hull has a neighbour across each of its ridges.
 // No coordinate is asked for that: cells may be turned over.
-// Doors: paradt__given_read, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts, paradt__given_mesh,
-// paradt__given_set.
+// Doors: paradt__given_read, paradt__given_place, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts,
+// paradt__given_mesh, paradt__given_set.
 
 // Reads the points into the records of a zeroed set, which are in their order, and adds them to its space; there is
 // memory for one record more.
@@ -20090,7 +20113,7 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
 }
 #endif // PARADT_NO_FLIPS
 
-#ifndef PARADT_NO_MEASURES
+#if !defined(PARADT_NO_MEASURES) || !defined(PARADT_NO_VORONOI)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>measures of a cell
 //
@@ -20112,7 +20135,8 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
 // The smallest sphere around a cell is that of a face which has the centre of its sphere in it, and the other vertices
 // inside the sphere. (The sphere of a face is the smallest through its vertices.) Floating point proposes a face, and
 // the signs of these conditions confirm it; where they don't, all faces are tried.
-// Doors: the public functions.
+// Doors: the public functions; paradt__face_begin, paradt__face_run, paradt__use_for_circumsphere,
+// paradt__integer_sign, paradt__quotient_round, struct paradt__integer, struct paradt__quotient.
 
 // Memory for all integers of a face. Differences have at most 2099 bits, lifts and entries of G 4202.
 //   small  Every face of up to 3 edges at a vertex in 3 dimensions fits: with k = 3 and digits of 60 bits 9 35 for u,
@@ -20426,7 +20450,7 @@ static double paradt__face_sphere(const paradt__face *face, double *centre) {
 }
 
 // Is the centre of a face that has been solved in the face? Its boundary is part of it.
-static int paradt__face_holds_centre(const paradt__face *face) {
+PARADT__OPTIONAL int paradt__face_holds_centre(const paradt__face *face) {
     static const paradt__digit one[] = {1};
     int length = paradt__face_length(face, 1), used = 0, i;
     for (i = 0; i < face->edges; i++) {
@@ -20440,7 +20464,7 @@ static int paradt__face_holds_centre(const paradt__face *face) {
 }
 
 // Where is x with regard to the sphere of a face that has been solved? 1: outside, 0: on it, -1: inside
-static int paradt__face_side(const paradt__face *face, const double *x) {
+PARADT__OPTIONAL int paradt__face_side(const paradt__face *face, const double *x) {
     int n = face->digits, row = face->dim * n, m = face->lift_digits, length = paradt__face_length(face, m);
     int used = 0, i;
     paradt__digit *v = face->work, *products = v + row, *work = products + (face->edges + 1) * m;
@@ -20495,6 +20519,20 @@ static int paradt__face_run(paradt__face *face, paradt__face_use use, void *out)
     return paradt__face_in_large(face, use, out);
 }
 
+// A sphere, and for the smallest around a cell which vertices are on it
+typedef struct paradt__sphere_of {
+    double *centre, radius2;
+    unsigned on;
+} paradt__sphere_of;
+
+static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
+    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
+    if (!paradt__face_solve(face)) return 0;
+    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
+    return 1;
+}
+
+#ifndef PARADT_NO_MEASURES
 // --- floating point
 
 // The signs of a face's solution in floating point
@@ -20646,19 +20684,6 @@ static unsigned paradt__guess_face(int dim, const double *const *points, int top
 
 // --- the public functions
 
-// A sphere, and for the smallest around a cell which vertices are on it
-typedef struct paradt__sphere_of {
-    double *centre, radius2;
-    unsigned on;
-} paradt__sphere_of;
-
-static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
-    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
-    if (!paradt__face_solve(face)) return 0;
-    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
-    return 1;
-}
-
 PARADT_DEF int paradt_circumsphere(int dim, const double *const *points, const double *weights, double *centre,
                                    double *radius2) {
     paradt__face face;
@@ -20755,6 +20780,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
     return volume;
 }
 #endif // PARADT_NO_MEASURES
+#endif
 
 #if !defined(PARADT_NO_LOCATOR) || !defined(PARADT_NO_DYNAMIC)
 // ---------------------------------------------------------------------------------------------------------------------
@@ -20771,23 +20797,31 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
 typedef struct paradt__view {
     paradt__scene scene;           // its space is the view's own
     const paradt__space *measured; // the space of what the view is of
-    int extended;                  // the own space has been extended
+    const paradt__space *wider;    // one that admits more; NULL: there is none
+    int extended;                  // the own space has been extended beyond both
 } paradt__view;
 
+// Begins a view. After that its owner may set `wider`.
 PARADT__OPTIONAL void paradt__view_begin(paradt__view *view, const paradt__scene *scene) {
     view->scene = *scene;
     view->measured = &scene->space;
+    view->wider = NULL;
     view->extended = 0;
 }
 
 // Makes the predicates ready for two more points, or for one twice; not for those admitted before any more.
 PARADT__NOINLINE void paradt__view_extend(paradt__view *view, const double *x, const double *y) {
+    const paradt__space *bases[2] = {view->measured, view->wider};
     paradt__space *space = &view->scene.space;
     paradt__counters counters = space->counters;
     double record[PARADT_MAX_DIM + 1];
-    *space = *view->measured;
+    int i;
+    view->extended = 1;
+    for (i = 0; i < 2 && view->extended && bases[i]; i++) {
+        *space = *bases[i];
+        view->extended = !(paradt__space_admits(space, x) && paradt__space_admits(space, y));
+    }
     space->counters = counters;
-    view->extended = !(paradt__space_admits(space, x) && paradt__space_admits(space, y));
     if (!view->extended) return;
     record[space->ambient] = 0;
     memcpy(record, x, (size_t)space->ambient * sizeof *x);
@@ -21960,6 +21994,7 @@ struct paradt_locator {
     paradt__memory memory;
     paradt__set set;            // the vertices
     paradt__scene scene;        // cells first, then ghosts; dim -1: there are none
+    paradt__space wider;        // that of the scene, for numbers with more digits
     size_t point_count;         // of the caller's points
     paradt_index *position;     // [point_count] of each point's vertex, or -1
     paradt_index *cell_of;      // [set.count] a cell of each vertex
@@ -22063,13 +22098,23 @@ static void paradt__locating_scene(paradt__locating *work) {
     scene->space = set->space;
     scene->space.dim = work->t->dim;
     paradt__space_widen(&scene->space);
-    if (work->t->dim > 0) paradt__space_end(&scene->space);
+    locator->wider = scene->space;
+    paradt__space_refine(&locator->wider);
+    if (work->t->dim > 0) {
+        paradt__space_end(&scene->space);
+        paradt__space_end(&locator->wider);
+    }
     scene->records = set->records;
     scene->width = set->width;
     for (i = 0; i < set->count && scene->space.weighted; i++) {
         double weight = set->records[i * set->width + (size_t)scene->space.ambient];
         if (!i || weight < locator->least) locator->least = weight;
     }
+}
+
+static void paradt__locator_view(const paradt_locator *locator, paradt__view *view) {
+    paradt__view_begin(view, &locator->scene);
+    view->wider = &locator->wider;
 }
 
 // Finds for each bucket the cell that its centre is in, or is seen from. From one to the next, which are neighbours.
@@ -22082,7 +22127,7 @@ static paradt_status paradt__locating_centres(paradt__locating *work) {
     locator->cell_at =
         (paradt_index *)paradt__alloc_filled(&locator->memory, starts->bucket_count, sizeof *locator->cell_at);
     if (!locator->cell_at) return PARADT_ERROR_MEMORY;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     for (grid = 0; grid < starts->grid_count; grid++) {
         for (i = 0; i < (size_t)1 << starts->grids[grid].all; i++) {
             double centre[PARADT_MAX_DIM];
@@ -22249,7 +22294,7 @@ PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, cons
     double own[PARADT_MAX_DIM];
     paradt_index cell;
     if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return none;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     paradt__view_admit(&view, own);
     cell = paradt__locator_start(locator, own, hint);
     return paradt__locator_at(&view, &cell, own);
@@ -22260,7 +22305,7 @@ static paradt_index paradt__locator_nearest(const paradt_locator *locator, parad
                                             paradt_index hint) {
     paradt_index vertex = paradt__locator_hint(locator, hint);
     size_t bucket;
-    paradt__view_begin(view, &locator->scene);
+    paradt__locator_view(locator, view);
     paradt__view_admit(view, x);
     if (vertex < 0) vertex = paradt__starts_at(&locator->starts, x, &bucket);
     return paradt__descend(&view->scene, &locator->neighbors, x, vertex);
@@ -22341,7 +22386,7 @@ static paradt_status paradt__locator_along(const paradt_locator *locator, paradt
     const paradt__space *space = &locator->scene.space;
     paradt_index from = paradt__locator_start(locator, a, -1);
     paradt__view view;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     if (space->dim < space->ambient) {
         if (paradt__is_off_flat(&view, from, a) || paradt__is_off_flat(&view, from, b)) return PARADT_OK;
         if (!space->dim) return paradt__list_append(&scratch->found, from, &scratch->memory);
@@ -22391,7 +22436,7 @@ static void paradt__ask_task(void *context, size_t task) {
     size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, bucket, last = SIZE_MAX;
     paradt_index vertex = -1, cell = -1;
     paradt__view view;
-    paradt__view_begin(&view, &locator->scene);
+    paradt__locator_view(locator, &view);
     for (; i < end; i++) {
         const double *x = set->records + i * set->width;
         paradt_index start = paradt__starts_at(&locator->starts, x, &bucket);
@@ -22554,6 +22599,11 @@ typedef struct paradt__filling {
     paradt__list table; // hash table of openings
     size_t table_mask;
     const double *record[PARADT__MOST_WRAPPED];
+    // in space, while spheres are kept: coordinates relative to v, lifts, and the spheres of the filling's cells
+    double x[4][PARADT__MOST_WRAPPED + 2]; // [3]: the lift
+    paradt__frame frame;
+    paradt__sphere *spheres; // [sphere_capacity]
+    size_t sphere_capacity;
 } paradt__filling;
 
 static void paradt__filling_free(paradt__filling *f, paradt__memory *memory) {
@@ -22563,6 +22613,7 @@ static void paradt__filling_free(paradt__filling *f, paradt__memory *memory) {
     paradt__list_free(&f->numbers, memory);
     paradt__list_free(&f->table, memory);
     paradt__release(memory, f->openings);
+    paradt__release(memory, f->spheres);
 }
 
 // --- the hole
@@ -22855,16 +22906,245 @@ static paradt_status paradt__wrap_cell(paradt__filling *f, size_t opening, int a
     return PARADT_OK;
 }
 
+#if PARADT_MAX_DIM >= 3
+// In space, where spheres are kept, floating point proposes the point and proves that it is right. Among the spheres
+// through a facet the power of a point changes by a multiple of its height over the facet; of all points at a height
+// above 0 the one with the least quotient of power, with regard to the cell behind the facet, and height is proposed.
+// Its sphere is made with a bound on its error, by >>kept spheres, with v for the centre of the box. All is proved if
+// the bound says that the cell is positively oriented, and the powers of all other points exceed it.
+
+// Makes the points' coordinates relative to v.
+static void paradt__wrap_centre(paradt__filling *f, const double *v) {
+    size_t count = f->points.count, padded = (count + 3) & ~(size_t)3, i;
+    int axis;
+    f->frame.square = f->frame.slack = 0.0;
+    for (axis = 0; axis < 3; axis++) {
+        double most = 0.0;
+        for (i = 0; i < count; i++) {
+            f->x[axis][i] = f->record[i][axis] - v[axis];
+            most = paradt__larger(most, paradt__abs(f->x[axis][i]));
+        }
+        for (; i < padded; i++) f->x[axis][i] = f->x[axis][0];
+        f->frame.half[axis] = most * 1.0000002;
+        f->frame.square += f->frame.half[axis] * f->frame.half[axis];
+    }
+    for (i = 0; i < padded; i++)
+        f->x[3][i] = f->x[0][i] * f->x[0][i] + f->x[1][i] * f->x[1][i] + f->x[2][i] * f->x[2][i];
+}
+
+// Makes the sphere of a cell of points.
+static void paradt__wrap_sphere(const paradt__filling *f, const unsigned char *row, paradt__sphere *sphere) {
+    const double *p = f->record[row[3]];
+    paradt__spoke a = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[0]]);
+    paradt__spoke b = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[1]]);
+    paradt__spoke c = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[2]]);
+    paradt__centred centred;
+    int axis;
+    for (axis = 0; axis < 3; axis++) centred.s[axis] = f->x[axis][row[3]];
+    centred.lift = f->x[3][row[3]];
+    paradt__sphere_make(PARADT__MAKE_SHARP, &f->frame, &centred, b.edge, a.edge, c.edge, sphere->normal,
+                        &sphere->constant, &sphere->error);
+}
+
+// The sphere through v and the vertices of a facet, for proposing alone
+static void paradt__wrap_sphere_of_rim(const paradt__filling *f, int p, int q, int r, paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    double qr[3], rp[3], pq[3], det;
+    int i, j, k;
+    for (i = 0; i < 3; i++) {
+        j = (i + 1) % 3;
+        k = (i + 2) % 3;
+        qr[i] = x[j][q] * x[k][r] - x[k][q] * x[j][r];
+        rp[i] = x[j][r] * x[k][p] - x[k][r] * x[j][p];
+        pq[i] = x[j][p] * x[k][q] - x[k][p] * x[j][q];
+    }
+    det = x[0][p] * qr[0] + x[1][p] * qr[1] + x[2][p] * qr[2];
+    for (i = 0; i < 3; i++) sphere->normal[i] = -(x[3][p] * qr[i] + x[3][q] * rp[i] + x[3][r] * pq[i]) / det;
+    sphere->constant = 0.0;
+}
+
+// An open facet's plane: height(x) = normal . x - level, positive on the open side
+typedef struct paradt__wrap_plane {
+    double normal[3], level;
+    double flat; // more than the error of a height: what is not higher is not proposed
+} paradt__wrap_plane;
+
+static void paradt__wrap_plane_of(const paradt__filling *f, const paradt__opening *o, paradt__wrap_plane *plane) {
+    const unsigned char *order = paradt__facet_order[o->place];
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    int p = o->row[order[0]], q = o->row[order[1]], r = o->row[order[2]], i;
+    double ax = x[0][q] - x[0][p], ay = x[1][q] - x[1][p], az = x[2][q] - x[2][p];
+    double bx = x[0][r] - x[0][p], by = x[1][r] - x[1][p], bz = x[2][r] - x[2][p];
+    plane->normal[0] = ay * bz - az * by;
+    plane->normal[1] = az * bx - ax * bz;
+    plane->normal[2] = ax * by - ay * bx;
+    plane->level = plane->flat = 0.0;
+    for (i = 0; i < 3; i++) {
+        plane->level += plane->normal[i] * x[i][p];
+        plane->flat += 1e-13 * paradt__abs(plane->normal[i]) * f->frame.half[i];
+    }
+}
+
+// Two functions have versions for AVX2.
+typedef struct paradt__wrap_kernels {
+    // Proposes the number of a point for an open facet, or PARADT__INFINITE_BIT. sphere: of the cell behind it
+    int (*propose)(const paradt__filling *f, const paradt__wrap_plane *plane, const paradt__sphere *sphere);
+    // Returns the mask of the points whose powers do not exceed the bound on their error.
+    uint64_t (*doubtful)(const paradt__filling *f, const paradt__sphere *sphere);
+} paradt__wrap_kernels;
+
+// The kernel `propose`
+static int paradt__wrap_propose_plain(const paradt__filling *f, const paradt__wrap_plane *plane,
+                                      const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x, *n = plane->normal, *m = sphere->normal;
+    double least = PARADT__NO_ERROR_BOUND;
+    int count = (int)f->points.count, i, best = PARADT__INFINITE_BIT;
+    for (i = 0; i < count; i++) {
+        double height = n[0] * x[0][i] + n[1] * x[1][i] + n[2] * x[2][i] - plane->level;
+        double power = (x[3][i] + sphere->constant) + (m[0] * x[0][i] + m[1] * x[1][i] + m[2] * x[2][i]);
+        if (!(height > plane->flat) || !(power < least * height)) continue;
+        least = power / height;
+        best = i;
+    }
+    return best;
+}
+
+// The kernel `doubtful`
+static uint64_t paradt__wrap_doubtful_plain(const paradt__filling *f, const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x, *m = sphere->normal;
+    uint64_t mask = 0;
+    size_t i;
+    for (i = 0; i < f->points.count; i++) {
+        double power = (x[3][i] + sphere->constant) + (m[0] * x[0][i] + m[1] * x[1][i] + m[2] * x[2][i]);
+        mask |= (uint64_t) !(power > sphere->error) << i;
+    }
+    return mask;
+}
+
+#if defined(PARADT__KEPT_AVX2)
+// The value of an affine function at four points
+PARADT__AVX2 static inline __m256d paradt__wrap_four(const double (*x)[PARADT__MOST_WRAPPED + 2], size_t i,
+                                                     const double *normal, __m256d rest) {
+    rest = _mm256_fmadd_pd(_mm256_set1_pd(normal[2]), _mm256_loadu_pd(x[2] + i), rest);
+    rest = _mm256_fmadd_pd(_mm256_set1_pd(normal[1]), _mm256_loadu_pd(x[1] + i), rest);
+    return _mm256_fmadd_pd(_mm256_set1_pd(normal[0]), _mm256_loadu_pd(x[0] + i), rest);
+}
+
+// The kernel `propose`. The points are padded with the first.
+PARADT__AVX2 static int paradt__wrap_propose_avx2(const paradt__filling *f, const paradt__wrap_plane *plane,
+                                                  const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND), at = _mm256_setr_pd(0.0, 1.0, 2.0, 3.0);
+    __m256d best = _mm256_set1_pd((double)PARADT__INFINITE_BIT), four = _mm256_set1_pd(4.0);
+    double quotients[4], numbers[4];
+    size_t i;
+    int lane, which = 0;
+    for (i = 0; i < f->points.count; i += 4) {
+        __m256d height = paradt__wrap_four(x, i, plane->normal, _mm256_set1_pd(-plane->level));
+        __m256d power = paradt__wrap_four(x, i, sphere->normal,
+                                          _mm256_add_pd(_mm256_loadu_pd(x[3] + i), _mm256_set1_pd(sphere->constant)));
+        __m256d quotient = _mm256_div_pd(power, height);
+        __m256d better = _mm256_and_pd(_mm256_cmp_pd(height, _mm256_set1_pd(plane->flat), _CMP_GT_OQ),
+                                       _mm256_cmp_pd(quotient, least, _CMP_LT_OQ));
+        least = _mm256_blendv_pd(least, quotient, better);
+        best = _mm256_blendv_pd(best, at, better);
+        at = _mm256_add_pd(at, four);
+    }
+    _mm256_storeu_pd(quotients, least);
+    _mm256_storeu_pd(numbers, best);
+    for (lane = 1; lane < 4; lane++) which = quotients[lane] < quotients[which] ? lane : which;
+    if (numbers[which] < (double)f->points.count) return (int)numbers[which];
+    return numbers[which] < (double)PARADT__INFINITE_BIT ? 0 : (int)PARADT__INFINITE_BIT;
+}
+
+// The kernel `doubtful`
+PARADT__AVX2 static uint64_t paradt__wrap_doubtful_avx2(const paradt__filling *f, const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    uint64_t mask = 0;
+    size_t i;
+    for (i = 0; i < f->points.count; i += 4) {
+        __m256d power = paradt__wrap_four(x, i, sphere->normal,
+                                          _mm256_add_pd(_mm256_loadu_pd(x[3] + i), _mm256_set1_pd(sphere->constant)));
+        __m256d doubt = _mm256_cmp_pd(power, _mm256_set1_pd(sphere->error), _CMP_NGT_UQ);
+        mask |= (uint64_t)_mm256_movemask_pd(doubt) << i;
+    }
+    return mask & (((uint64_t)1 << f->points.count) - 1);
+}
+#endif
+
+static paradt__wrap_kernels paradt__choose_wrap_kernels(void) {
+    paradt__wrap_kernels kernels = {paradt__wrap_propose_plain, paradt__wrap_doubtful_plain};
+#if defined(PARADT__KEPT_AVX2)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        kernels.propose = paradt__wrap_propose_avx2;
+        kernels.doubtful = paradt__wrap_doubtful_avx2;
+    }
+#endif
+    return kernels;
+}
+
+// Finds the point for an open facet in space, and makes the sphere of the cell. A vertex of the cell is always in
+// doubt.
+PARADT__INLINE int paradt__wrap_apex_in_space(paradt__filling *f, paradt__scene *scene, const paradt__opening *o,
+                                              const paradt__wrap_kernels *kernels) {
+    const unsigned char *order = paradt__facet_order[o->place];
+    paradt__sphere behind, *sphere = f->spheres + f->count;
+    paradt__wrap_plane plane;
+    unsigned char row[4];
+    int apex, exact;
+    if (o->behind >= 0) behind = f->spheres[o->behind >> 2];
+    else paradt__wrap_sphere_of_rim(f, o->row[order[0]], o->row[order[1]], o->row[order[2]], &behind);
+    paradt__wrap_plane_of(f, o, &plane);
+    apex = kernels->propose(f, &plane, &behind);
+    memcpy(row, o->row, sizeof row);
+    row[o->place] = (unsigned char)apex;
+    if (PARADT__LIKELY(apex != PARADT__INFINITE_BIT)) {
+        uint64_t mask = o->mask | (uint64_t)1 << apex;
+        paradt__wrap_sphere(f, row, sphere);
+        if (PARADT__LIKELY(sphere->error < PARADT__NO_ERROR_BOUND && !(kernels->doubtful(f, sphere) & ~mask)))
+            return apex;
+    }
+    exact = paradt__wrap_apex(f, scene, o);
+    row[o->place] = (unsigned char)exact;
+    if (exact != apex && exact != PARADT__INFINITE_BIT) paradt__wrap_sphere(f, row, sphere);
+    return exact;
+}
+
+// Makes room for the sphere of one more cell.
+static paradt_status paradt__wrap_sphere_room(paradt__filling *f, paradt__memory *memory) {
+    void *spheres = f->spheres;
+    size_t capacity = 2 * f->count + 64;
+    if (PARADT__LIKELY(f->count < f->sphere_capacity)) return PARADT_OK;
+    if (!paradt__grow(memory, &spheres, f->count, capacity, sizeof *f->spheres)) return PARADT_ERROR_MEMORY;
+    f->spheres = (paradt__sphere *)spheres;
+    f->sphere_capacity = capacity;
+    return PARADT_OK;
+}
+#endif
+
 // Fills the hole by wrapping. Facets with the infinite vertex wait until the cells on both sides are there: each ghost
 // stands on a finite facet, which gets it.
-static paradt_status paradt__wrap(paradt__filling *f, paradt__insertion *build) {
+static paradt_status paradt__wrap(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
     paradt__scene *scene = &build->scene;
     size_t at;
+    int apex;
     paradt_status status = paradt__wrap_begin(f, build);
+#if PARADT_MAX_DIM >= 3
+    const paradt__wrap_kernels kernels = paradt__choose_wrap_kernels();
+    if (!status && build->kept) paradt__wrap_centre(f, paradt__scene_record(scene, vertex));
+#endif
+    (void)vertex;
     for (at = 0; at < f->opening_count && !status; at++) {
         if (f->openings[at].closed || f->openings[at].mask >> PARADT__INFINITE_BIT) continue;
-        status =
-            paradt__wrap_cell(f, at, paradt__wrap_apex(f, scene, f->openings + at), scene->mesh.corners, build->memory);
+#if PARADT_MAX_DIM >= 3
+        if (build->kept) status = paradt__wrap_sphere_room(f, build->memory);
+        if (status) break;
+        apex = build->kept ? paradt__wrap_apex_in_space(f, scene, f->openings + at, &kernels)
+                           : paradt__wrap_apex(f, scene, f->openings + at);
+#else
+        apex = paradt__wrap_apex(f, scene, f->openings + at);
+#endif
+        status = paradt__wrap_cell(f, at, apex, scene->mesh.corners, build->memory);
     }
     for (at = 0; at < f->opening_count && !status; at++) PARADT_ASSERT(f->openings[at].closed);
     return status;
@@ -23007,7 +23287,7 @@ static paradt_status paradt__fill_by_insertion(paradt__filling *f, const paradt_
 // Makes the filling of the hole of a vertex, which has been collected; the mesh is left as it is.
 static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
     if (f->points.count > PARADT__MOST_WRAPPED) return paradt__fill_by_insertion(f, build, vertex);
-    return paradt__wrap(f, build);
+    return paradt__wrap(f, build, vertex);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -23082,6 +23362,7 @@ struct paradt_dynamic {
     size_t id_room, position_room, hung_room, alike_mask;
     paradt_index *column[PARADT__COLUMNS]; // NULL: not needed
     paradt__tally now, before;
+    int steps; // the change may replace cells more than once, and marks those that it makes
     // the journal
     paradt__list killed;  // a place and its rows of vertices and links
     paradt__list torn;    // a link and what it was
@@ -23487,6 +23768,12 @@ static paradt_status paradt__living_loosen(paradt_dynamic *d, paradt_index place
     return PARADT_OK;
 }
 
+// Has the cell at a place been made by the change? The marks of a mesh are seldom in a cache, and so not looked at
+// while no cell can have one.
+PARADT__INLINE int paradt__living_is_fresh(const paradt_dynamic *d, paradt_index place) {
+    return d->made.count && d->build.scene.mesh.marks[place] & PARADT__FRESH;
+}
+
 // Is told of a hole, whose cells and rim build->update.killed and build->rim are: makes room for what replaces them,
 // and enters them into the journal. Nothing fails between this and paradt__living_settle.
 static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
@@ -23501,21 +23788,23 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
         status = paradt__living_loosen(d, paradt__mesh_cell(mesh, build->update.killed[i]));
     if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
     if (status) return status;
+    for (i = 0; i < build->update.killed_count; i++) {
+        const paradt_index *vertices = mesh->vertices + paradt__mesh_cell(mesh, build->update.killed[i]) * corners;
+        for (j = 0; j < row; j++) PARADT__FETCH(owner, vertices[j]);
+    }
     for (i = 0; i < build->rim_count; i++) {
         paradt_index inner = build->rim[i], outer = mesh->links[inner];
         paradt_index *torn = d->torn.items + d->torn.count;
         torn[0] = outer;
         torn[1] = inner;
-        d->torn.count +=
-            (mesh->marks[paradt__mesh_cell(mesh, inner)] | mesh->marks[paradt__mesh_cell(mesh, outer)]) & PARADT__FRESH
-                ? 0
-                : 2;
+        if (!paradt__living_is_fresh(d, inner / corners) && !paradt__living_is_fresh(d, outer / corners))
+            d->torn.count += 2;
     }
     for (i = 0; i < build->update.killed_count; i++) {
         paradt_index place = paradt__mesh_cell(mesh, build->update.killed[i]), *to = d->killed.items + d->killed.count;
         int finite = paradt__is_finite_cell(mesh->vertices + place * corners, corners);
         d->now.cells -= (size_t)finite;
-        if (mesh->marks[place] & PARADT__FRESH) {
+        if (paradt__living_is_fresh(d, place)) {
             paradt__mesh_unmark(mesh, (size_t)place, PARADT__FRESH);
             continue;
         }
@@ -23573,7 +23862,7 @@ static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
     for (at = 0; at < update->made_count; at++) {
         paradt_index place = paradt__mesh_cell(mesh, update->made[at]);
         const paradt_index *row = mesh->vertices + place * corners;
-        mesh->marks[place] |= PARADT__FRESH;
+        if (d->steps) mesh->marks[place] |= PARADT__FRESH;
         d->made.items[d->made.count++] = place;
         d->now.cells += (size_t)paradt__is_finite_cell(row, corners);
         for (i = 0; i < corners; i++) {
@@ -23616,7 +23905,9 @@ static int paradt__living_is_sound(paradt_dynamic *d) {
 
 // --- the beginning and the end of a change
 
-static void paradt__living_begin(paradt_dynamic *d) {
+// steps: whether the change may be more than one insertion or removal
+static void paradt__living_begin(paradt_dynamic *d, int steps) {
+    d->steps = steps;
     d->now.places = d->build.scene.mesh.count;
     d->before = d->now;
     d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
@@ -23632,8 +23923,8 @@ static void paradt__living_publish(paradt_dynamic *d) {
     size_t corners = (size_t)mesh->corners, at, made = 0;
     for (at = 0; at < d->made.count; at++) {
         size_t place = (size_t)d->made.items[at];
-        if (!(mesh->marks[place] & PARADT__FRESH)) continue;
-        paradt__mesh_unmark(mesh, place, PARADT__FRESH);
+        if (d->steps && !(mesh->marks[place] & PARADT__FRESH)) continue;
+        if (d->steps) paradt__mesh_unmark(mesh, place, PARADT__FRESH);
         if (paradt__is_finite_cell(mesh->vertices + place * corners, mesh->corners))
             d->made.items[made++] = (paradt_index)place;
     }
@@ -23930,6 +24221,34 @@ static paradt_index paradt__living_start(const paradt_dynamic *d, const double *
     return paradt__living_get(d, PARADT__CELL, position);
 }
 
+// Finds a cell in conflict with a place that is no vertex, by a walk like that of paradt__walk, which ends at the first
+// cell whose sphere has the place inside for certain; or the cell that it is in, for the place may be a vertex. *fresh:
+// it is certain that it is none. In space, while spheres are kept
+static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, const double *record, int *fresh) {
+    paradt__insertion *build = &d->build;
+    paradt__scene *scene = &build->scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt__centred centred = paradt__centred_of(build->kept, record);
+    int i, from = -1;
+    for (*fresh = 1;;) {
+        const paradt_index *row = mesh->vertices + 4 * (size_t)cell;
+        int ghost = paradt__ghost_place(row, 4);
+        if (ghost >= 0) {
+            if (paradt__side(scene, cell, ghost, record) > 0) return cell;
+            i = ghost;
+        } else {
+            const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+            if (paradt__sphere_power(sphere, &centred) < -sphere->error) return cell;
+            for (i = 0; i < 4; i++)
+                if (i != from && paradt__side(scene, cell, i, record) < 0) break;
+            *fresh = i < 4;
+            if (i == 4) return cell;
+        }
+        from = (int)(mesh->links[4 * (size_t)cell + (size_t)i] & 3);
+        cell = mesh->links[4 * (size_t)cell + (size_t)i] >> 2;
+    }
+}
+
 // Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; near: a cell nearby,
 // or negative
 static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record, paradt_index hint,
@@ -23937,6 +24256,7 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     paradt__scene *scene = &d->build.scene;
     paradt_index cell, position;
     paradt_status status;
+    int fresh = 0;
     if (d->dim < 0) return PARADT__GAVE_UP;
     if (d->dim == 0) { // there is one place, the first
         if (memcmp(record, d->records, (size_t)d->ambient * sizeof *record) != 0) return PARADT__GAVE_UP;
@@ -23944,9 +24264,11 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     }
     paradt__living_measure(d, record);
     if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
-    cell = paradt__walk(scene, near < 0 ? paradt__living_start(d, record, hint) : near, record);
+    cell = near < 0 ? paradt__living_start(d, record, hint) : near;
+    if (PARADT_MAX_DIM >= 3 && d->build.kept) cell = paradt__living_reach(d, cell, record, &fresh);
+    else cell = paradt__walk(scene, cell, record);
     paradt__living_start_at(d, cell);
-    position = paradt__living_vertex_at(d, cell, record);
+    position = fresh ? PARADT__NOWHERE : paradt__living_vertex_at(d, cell, record);
     if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
     if (position != PARADT__NOWHERE) return paradt__living_join(d, id, position);
     status = paradt__living_position_room(d, d->now.positions + 1);
@@ -24225,11 +24547,11 @@ static paradt_status paradt__living_find_hidden(paradt_dynamic *d) {
 }
 
 // Makes what a set keeps besides the mesh, which has been built.
-static paradt_status paradt__living_complete(paradt_dynamic *d, paradt__work *work) {
+static paradt_status paradt__living_complete(paradt_dynamic *d) {
+    enum { KEPT_FOR = 512 }; // points: a small table of spheres, as most of them are wanted once
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t hull;
     paradt_status status = PARADT_OK;
-    (void)work;
     d->build.memory = &d->memory;
     d->build.witness = &d->witness;
     d->witness.dug = paradt__living_dug;
@@ -24252,11 +24574,12 @@ static paradt_status paradt__living_complete(paradt_dynamic *d, paradt__work *wo
     if (!status)
         status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
                                    &d->memory);
-    d->build.count = getenv("KC") ? (size_t)atoi(getenv("KC")) : d->build.count;
+    d->build.count = d->now.vertices < KEPT_FOR ? d->now.vertices : (size_t)KEPT_FOR;
     if (!status && PARADT__IS(d->dim, 3)) status = paradt__kept_begin(&d->build);
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
-    if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers)
-        paradt__kept_more_numbers(&d->build, d->now.positions + 1);
+    if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers &&
+        !paradt__kept_more_numbers(&d->build, d->now.positions + 1))
+        status = PARADT_ERROR_MEMORY;
     d->build.count = d->now.vertices;
     return status;
 }
@@ -24300,7 +24623,7 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     d->build.scene.mesh = work.mesh;
     if (!status) status = paradt__living_adopt(d, &work, points, ids, id_count);
     if (!status) status = paradt__living_number(d, out.representative, points->count, ids, id_count);
-    if (!status) status = paradt__living_complete(d, &work);
+    if (!status) status = paradt__living_complete(d);
     paradt__set_free(&work.set, &d->memory);
     paradt__release(&d->memory, out.representative);
     return status;
@@ -24544,10 +24867,7 @@ static paradt_status paradt__change_read(paradt_dynamic *d, paradt__change *chan
 static paradt_status paradt__change_number(paradt_dynamic *d, const paradt__change *change) {
     size_t i, count = d->now.ids + change->count;
     paradt_status status = PARADT_OK;
-    if (change->kind != PARADT__INSERTION) {
-        memcpy(change->number, change->ids, change->count * sizeof *change->number);
-        return PARADT_OK;
-    }
+    if (change->kind != PARADT__INSERTION) return PARADT_OK;
     status = paradt__living_id_room(d, count);
     for (i = 0; i < change->count && !status; i++) change->number[i] = paradt__living_take_id(d);
     return status;
@@ -24612,7 +24932,7 @@ static int paradt__change_is_large(const paradt_dynamic *d, const paradt__change
 // Does a change or makes the set anew, all memory being there.
 static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *change) {
     paradt_status status;
-    paradt__living_begin(d);
+    paradt__living_begin(d, change->count > 1 || change->kind == PARADT__MOTION || d->weighted);
     if (change->kind == PARADT__INSERTION) paradt__living_make_starts(d);
     status = paradt__change_number(d, change);
     if (!status)
@@ -24650,11 +24970,12 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
         status = PARADT_ERROR_MEMORY;
     if (!status && change->kind != PARADT__REMOVAL) status = paradt__change_read(d, change);
     if (!status) {
-        if (change->kind != PARADT__INSERTION) memcpy(change->number, change->ids, count * sizeof *change->number);
+        if (change->kind != PARADT__INSERTION && count)
+            memcpy(change->number, change->ids, count * sizeof *change->number);
         paradt__change_sort(d, change, other);
         status = paradt__change_run(d, change);
     }
-    if (!status && change->new_ids) memcpy(change->new_ids, change->number, count * sizeof *change->number);
+    if (!status && change->new_ids && count) memcpy(change->new_ids, change->number, count * sizeof *change->number);
     paradt__release(memory, change->number);
     paradt__release(memory, change->order);
     paradt__release(memory, other);
@@ -24957,8 +25278,8 @@ PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_t
 // A cell without bounds on an axis is clipped by a far wall there, at the distance M from p, where M stands for a
 // number larger than all others: a vertex is y = A + M B, and what is decided of M decides before what is decided of
 // the rest.
-// Doors: struct paradt__diagram, paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_meet,
-// paradt__diagram_above.
+// Doors: struct paradt__diagram, PARADT__ROW_BYTES, paradt__row_vertices, paradt__row_centre, paradt__diagram_point,
+// paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_plane, paradt__diagram_meet, paradt__diagram_above.
 
 // What is known of a point, bits
 enum {
@@ -24973,18 +25294,18 @@ enum { PARADT__DIAGRAM_PACE = 1 << 12 }; // cells between two looks at whether t
 typedef struct paradt__voronoi_wall {
     double normal[PARADT_MAX_DIM], offset;
     double scaled_normal[PARADT_MAX_DIM], scaled_offset; // the same plane in scaled coordinates
-    int inexact; // scaling lost bits
-    int axis;    // of a bound of the box: its axis; else -1
-    int far;     // the box has no bound there
+    int inexact;                                         // scaling lost bits
+    int axis;                                            // of a bound of the box: its axis; else -1
+    int far;                                             // the box has no bound there
 } paradt__voronoi_wall;
 
 typedef struct paradt__diagram {
     int d, k; // dimension of space; of the triangulation
     int weighted;
-    paradt__set set;      // the points, in the caller's order
-    size_t cells;         // of the triangulation
-    char *rows;           // [cells] of row_bytes: vertices; where `centred` links, and then the cell's centre and its error
-    char *rows_block;     // the memory that they are in
+    paradt__set set;  // the points, in the caller's order
+    size_t cells;     // of the triangulation
+    char *rows;       // [cells] of row_bytes: vertices; where `centred` links, and then the cell's centre and its error
+    char *rows_block; // the memory that they are in
     size_t row_bytes;
     size_t hull;          // facets of the hull
     int centred;          // the triangulation is as wide as space, of two or three dimensions
@@ -25334,7 +25655,7 @@ static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh
 // cells that are too flat for that get theirs rounded once from integers. Cells with the same sphere have the same
 // vertex, of which each has a number of its own, within its error. Here it shows, too, which cells of the diagram need
 // no clipping: of those all vertices are certainly inside of all walls, and none is at infinity.
-// Doors: paradt__centres_make, paradt__centre_of, paradt__same_centre.
+// Doors: paradt__centres_make, paradt__centre_of, paradt__centres_agree, paradt__centres_differ.
 
 PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
     return paradt__row_centre(paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(d)), d);
@@ -25436,7 +25757,8 @@ PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t t
         if (paradt__centre_is_inside(g, centre, d)) continue;
         for (i = 0; i <= d; i++) {
             unsigned char *kind = &g->kind[vertices[i]], known = PARADT__ATOMIC_LOAD(kind);
-            if (!(known & PARADT__CELL_CLIPPED)) PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
+            if (!(known & PARADT__CELL_CLIPPED))
+                PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
         }
     }
 }
@@ -25487,17 +25809,17 @@ PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int 
 //
 // Faces that nothing clips, of cells of which at least one is not clipped, in two and three dimensions; and from these
 // the volumes of cells: V(p) is the sum over its faces of h A / d, where h is the signed distance of the face's plane
-// from p, and A the face's measure. In space the face between p and q is the polygon of the vertices of the cells around
-// the edge p q. These rings are walked along the cells, whose order in memory is that of space: an edge belongs to the
-// first cell around it, and a mark at each cell tells which of its edges are done.
+// from p, and A the face's measure. In space the face between p and q is the polygon of the vertices of the cells
+// around the edge p q. These rings are walked along the cells, whose order in memory is that of space: an edge belongs
+// to the first cell around it, and a mark at each cell tells which of its edges are done.
 //
 // A face is there if it has d different vertices: these are corners of a convex polygon, so that three are not in a
 // line. Most differ by more than their errors; otherwise the spheres of neighbouring cells are compared exactly.
 //
 // Errors. Let the vertices of a polygon with m corners err by at most e in each coordinate, and let s be the largest
 // coordinate of a difference to the first of them. A difference errs by 2 e + u s, u the roundoff, so a coordinate of
-// the cross product of two of them by 4 s (2 e + u s) + 2 (2 e + u s)^2 + 6 u s^2, and the sum of m - 2 of them by m - 2
-// times that and m u times its size, 2 s^2 for each. What follows multiplies these.
+// the cross product of two of them by 4 s (2 e + u s) + 2 (2 e + u s)^2 + 6 u s^2, and the sum of m - 2 of them by m -
+// 2 times that and m u times its size, 2 s^2 for each. What follows multiplies these.
 //
 // The cells of the triangulation are divided into chunks, whose number depends on how many they are alone, and sums of
 // chunks are added in order: so the result does not depend on the number of tasks.
@@ -25509,13 +25831,13 @@ enum { PARADT__CHUNKS = PARADT__MOST_TASKS, PARADT__CHUNK_CELLS = 10000 };
 typedef struct paradt__face_list {
     size_t count, capacity;
     int d;
-    unsigned wants;         // PARADT_VORONOI_* bits
-    paradt_index *sides;    // [capacity][2]
-    double *areas;          // [capacity]
-    double *centroids;      // [capacity][d] NaN where there is none
-    double *normals;        // [capacity][d]
-    paradt_index *cell;     // [capacity] of faces that nothing clips: the first cell around the edge,
-    unsigned char *edge;    // ... and which of its edges
+    unsigned wants;      // PARADT_VORONOI_* bits
+    paradt_index *sides; // [capacity][2]
+    double *areas;       // [capacity]
+    double *centroids;   // [capacity][d] NaN where there is none
+    double *normals;     // [capacity][d]
+    paradt_index *cell;  // [capacity] of faces that nothing clips: the first cell around the edge,
+    unsigned char *edge; // ... and which of its edges
     paradt__memory *memory;
 } paradt__face_list;
 
@@ -25567,7 +25889,7 @@ PARADT__INLINE paradt_status paradt__face_list_room(paradt__face_list *list, siz
 
 // What is summed up for each point: its cell's volume, the volume's error, and with `moments` the integral of y
 typedef struct paradt__voronoi_tally {
-    int width; // 2, or 2 + d with moments
+    int width;    // 2, or 2 + d with moments
     double *sums; // [points][width]
 } paradt__voronoi_tally;
 
@@ -25679,11 +26001,11 @@ typedef struct paradt__facing {
     const paradt__team *team;
     unsigned wants;
     size_t chunks;
-    unsigned char *done;                              // [cells] marks of edges
-    paradt__voronoi_tally tally[PARADT__CHUNKS];              // of chunks; of one task alone only the first is there
+    unsigned char *done;                 // [cells] marks of edges
+    paradt__voronoi_tally tally[PARADT__CHUNKS]; // of chunks; of one task alone only the first is there
     paradt__voronoi_tally total;
-    paradt__face_list *list;                          // [chunks]
-    paradt__memory memory[PARADT__MOST_TASKS];        // of tasks
+    paradt__face_list *list;                   // [chunks]
+    paradt__memory memory[PARADT__MOST_TASKS]; // of tasks
     paradt__space space[PARADT__MOST_TASKS];
     paradt_status status[PARADT__MOST_TASKS];
 } paradt__facing;
@@ -25727,8 +26049,7 @@ PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const parad
         sums[0] += volume;
         sums[1] += (paradt__abs(offset) * error + 32 * PARADT__ROUNDOFF * size * paradt__abs(measure)) * part * 1.01;
         if (tally->width == 2) continue;
-        for (j = 0; j < d; j++)
-            sums[2 + j] += volume * ((double)d / (d + 1)) * (where[j] - (side ? to[j] : from[j]));
+        for (j = 0; j < d; j++) sums[2 + j] += volume * ((double)d / (d + 1)) * (where[j] - (side ? to[j] : from[j]));
     }
 }
 
@@ -25750,11 +26071,11 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
     turns = ring.corners - 2;
     measure = 0.5 * (ring.area[0] * normal[0] + ring.area[1] * normal[1] + ring.area[2] * normal[2]);
     step = 2 * ring.error + PARADT__ROUNDOFF * ring.size;
-    error = turns * (4 * ring.size * step + 2 * step * step +
-                     (16 + 2 * turns) * PARADT__ROUNDOFF * ring.size * ring.size) + g->tiny;
+    error =
+        turns * (4 * ring.size * step + 2 * step * step + (16 + 2 * turns) * PARADT__ROUNDOFF * ring.size * ring.size) +
+        g->tiny;
     error *= 0.5 * (paradt__abs(normal[0]) + paradt__abs(normal[1]) + paradt__abs(normal[2]));
-    for (j = 0; j < 3 && moments; j++)
-        where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
+    for (j = 0; j < 3 && moments; j++) where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
     if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 3);
     if (!list) return PARADT_OK;
     if (list->wants & PARADT_VORONOI_POLYGONS) {
@@ -25764,7 +26085,8 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
     paradt__face_list_add(list, p, q, measure, normal,
                           list->wants & PARADT_VORONOI_AREAS
                               ? sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
-                              : 1, where, 3);
+                              : 1,
+                          where, 3);
     return PARADT_OK;
 }
 
@@ -25798,8 +26120,7 @@ PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, para
             paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
             return PARADT_ERROR_CANCELLED;
         if (!todo) continue;
-        for (edge = 0; edge < 4; edge++)
-            inner |= (unsigned)!(g->kind[vertices[edge]] & PARADT__CELL_CLIPPED) << edge;
+        for (edge = 0; edge < 4; edge++) inner |= (unsigned)!(g->kind[vertices[edge]] & PARADT__CELL_CLIPPED) << edge;
         if (list) {
             paradt_status status = paradt__face_list_room(list, 6);
             if (status) return status;
@@ -25975,15 +26296,16 @@ static paradt_status paradt__faces_make(paradt__diagram *g, const paradt__team *
 // >>planes of a cell
 //
 // Where planes of the cell of a point p meet, and on which side of another plane, in integers: what floating point left
-// undecided. Let 2^u divide all coordinates and 2^2u all weights that matter. With a = 2^u A, |a|^2 + w_p - w_q = 2^2u L
-// and z = 2^(1 - u) y the plane between p and q is A . z = L. A wall's normal is 2^v B, where v is so small that 2^(u +
-// v - 1) divides o, and the wall is B . z = C with o - n . p = 2^(u + v - 1) C. A far wall of the normal B is B . z = M.
+// undecided. Let 2^u divide all coordinates and 2^2u all weights that matter. With a = 2^u A, |a|^2 + w_p - w_q = 2^2u
+// L and z = 2^(1 - u) y the plane between p and q is A . z = L. A wall's normal is 2^v B, where v is so small that 2^(u
+// + v - 1) divides o, and the wall is B . z = C with o - n . p = 2^(u + v - 1) C. A far wall of the normal B is B . z =
+// M.
 //
 // Let d planes meet in y, their normals positively oriented as rows. The determinant of their rows and another plane's,
-// each of a normal and an offset, is then positive if y is strictly inside of that plane, and 0 if it is on it. With far
-// walls the offsets of the others count as 0 first; if that determinant is 0, those of the far walls do.
-// By Cramer's rule y is 2^(u - 1) times a quotient of determinants.
-// Doors: paradt__exact_above, paradt__exact_meet, paradt__exact_free, struct paradt__exact_work.
+// each of a normal and an offset, is then positive if y is strictly inside of that plane, and 0 if it is on it. With
+// far walls the offsets of the others count as 0 first; if that determinant is 0, those of the far walls do. By
+// Cramer's rule y is 2^(u - 1) times a quotient of determinants. Doors: paradt__exact_above, paradt__exact_meet,
+// paradt__exact_free, struct paradt__exact_work.
 
 // Memory of a task for integers
 typedef struct paradt__exact_work {
@@ -26198,8 +26520,7 @@ static size_t paradt__exact_determinant(paradt__exact_work *work, const paradt__
             if (plane->side >= 0)
                 paradt__add_difference(work->sum, 1, paradt__record(&g->set, plane->side)[j], rows->base[j],
                                        rows->unit);
-            else
-                paradt__add_difference(work->sum, 1, paradt__exact_wall(rows, i)->normal[j], 0, rows->wall_unit[i]);
+            else paradt__add_difference(work->sum, 1, paradt__exact_wall(rows, i)->normal[j], 0, rows->wall_unit[i]);
             paradt__store_any(normals + j * y.digits, work->sum, y.digits);
         }
         for (j = 0, place = 0; j < d; j++) {
@@ -26323,20 +26644,20 @@ typedef struct paradt__convex {
     const paradt__diagram *g;
     paradt_index p;
     int d;
-    paradt__insertion build;    // its mesh is the boundary's dual; rim and update are those of the last plane
-    paradt__halfspace *planes;  // [plane_capacity]
+    paradt__insertion build;   // its mesh is the boundary's dual; rim and update are those of the last plane
+    paradt__halfspace *planes; // [plane_capacity]
     size_t plane_count, plane_capacity;
-    double *places;             // [place_capacity][2 (d + 1)] of vertices: A and its error, B and its error
-    unsigned char *far;         // [place_capacity] 1: the vertex is on a far wall, and B is there
+    double *places;     // [place_capacity][2 (d + 1)] of vertices: A and its error, B and its error
+    unsigned char *far; // [place_capacity] 1: the vertex is on a far wall, and B is there
     size_t place_capacity;
     paradt__exact_work exact;
-    int empty;                  // nothing is left
-    int tied;                   // a vertex has been on a plane that clipped, or did not
+    int empty; // nothing is left
+    int tied;  // a vertex has been on a plane that clipped, or did not
     // made by paradt__convex_settle
     int merged, unbounded, flat; // some vertices coincide; some are far; the cell has no measure
-    paradt_index *same;         // [place_capacity] of vertices that coincide: one of them
-    paradt_index *entry;        // [plane_capacity] the handle of a plane at a vertex; -1: it is at none
-    unsigned char *real;        // [plane_capacity] the face on the plane has a measure
+    paradt_index *same;          // [place_capacity] of vertices that coincide: one of them
+    paradt_index *entry;         // [plane_capacity] the handle of a plane at a vertex; -1: it is at none
+    unsigned char *real;         // [plane_capacity] the face on the plane has a measure
     size_t same_capacity, entry_capacity;
     paradt_index *local; // [local_capacity] a table: cells of the triangulation, 4 times the vertex, and the place of p
     size_t local_capacity;
@@ -26555,10 +26876,8 @@ PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt_
     paradt__update *update = &build->update;
     size_t vertex, i;
     int j, above;
-    paradt_status status =
-        paradt__list_room(&update->killed, 0, &update->killed_capacity, mesh->count, c->memory);
-    if (!status)
-        status = paradt__list_room(&build->rim, 0, &build->rim_capacity, mesh->count * (size_t)d, c->memory);
+    paradt_status status = paradt__list_room(&update->killed, 0, &update->killed_capacity, mesh->count, c->memory);
+    if (!status) status = paradt__list_room(&build->rim, 0, &build->rim_capacity, mesh->count * (size_t)d, c->memory);
     if (status) return status;
     update->killed_count = build->rim_count = 0;
     *inside = 0;
@@ -26823,7 +27142,8 @@ static paradt_status paradt__convex_settle(paradt__convex *c) {
     for (i = 0; i < c->plane_count; i++) c->entry[i] = -1;
     for (i = 0; i < mesh->count * d; i++) {
         // in the plane a face begins where it is the second of the planes
-        if (mesh->vertices[i / d * d] != PARADT__DEAD && (d > 2 || i & 1)) c->entry[mesh->vertices[i]] = (paradt_index)i;
+        if (mesh->vertices[i / d * d] != PARADT__DEAD && (d > 2 || i & 1))
+            c->entry[mesh->vertices[i]] = (paradt_index)i;
     }
     status = paradt__convex_merge(c);
     if (status) return status;
@@ -26855,8 +27175,8 @@ static paradt_status paradt__convex_settle(paradt__convex *c) {
 // >>measures of a clipped cell
 //
 // Volumes, and in space and in the plane centroids and the measures of faces. All simplices that are summed up have one
-// vertex of the cell in common and do not overlap, so that nothing cancels. Errors: those of the vertices, as in
-// >>Voronoi faces, and of the arithmetic.
+// vertex of the cell in common and do not overlap, so that nothing cancels. Errors are bounded as in >>Voronoi faces:
+// by those of the vertices and those of the arithmetic.
 //
 // In higher dimensions a face of any dimension is divided from its first vertex into cones over those of its facets
 // that do not have that vertex, and these likewise (H. L. Cohen and T. Hickey, Two algorithms for determining volumes
@@ -26932,10 +27252,8 @@ static void paradt__convex_measure_face(const paradt__convex *c, paradt_index pl
         face->error = 2 * (arm * step + size * (2 * error + PARADT__ROUNDOFF * arm) + step * (2 * error) +
                            6 * PARADT__ROUNDOFF * arm * size);
     } else {
-        double turn = parts * (4 * size * step + 2 * step * step +
-                               (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
-        face->error = 3 * (arm + 2 * error) * turn +
-                      6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
+        double turn = parts * (4 * size * step + 2 * step * step + (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
+        face->error = 3 * (arm + 2 * error) * turn + 6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
     }
     face->measure = far ? HUGE_VAL : paradt__abs(along) / (d == 2 ? sqrt(square) : 2 * sqrt(square));
     for (j = 0; j < d; j++) {
@@ -26950,11 +27268,11 @@ static void paradt__convex_measure_face(const paradt__convex *c, paradt_index pl
 typedef struct paradt__pulling {
     const paradt__convex *c;
     int d;
-    paradt_index *list;    // lists of vertices of faces, one behind the other
+    paradt_index *list; // lists of vertices of faces, one behind the other
     size_t list_room;
-    paradt_index *count;   // [d][planes] scratch of each depth: vertices of each facet
-    const double *origin;  // the first vertex
-    double entry_error;    // of the difference of two vertices
+    paradt_index *count;  // [d][planes] scratch of each depth: vertices of each facet
+    const double *origin; // the first vertex
+    double entry_error;   // of the difference of two vertices
     double minor[PARADT_MAX_DIM + 1][PARADT__MINORS], size[PARADT_MAX_DIM + 1][PARADT__MINORS],
         slope[PARADT_MAX_DIM + 1][PARADT__MINORS]; // of so many rows, by the set of columns
     double volume, error;
@@ -27035,8 +27353,7 @@ static void paradt__pulling_face(paradt__pulling *pull, int depth, size_t begin,
 }
 
 // The volume of a bounded cell in higher dimensions
-static paradt_status paradt__convex_pull(const paradt__convex *c, paradt__memory *memory,
-                                         paradt__convex_sums *sums) {
+static paradt_status paradt__convex_pull(const paradt__convex *c, paradt__memory *memory, paradt__convex_sums *sums) {
     const paradt__mesh *mesh = &c->build.scene.mesh;
     size_t d = (size_t)c->d, i, count = 0;
     paradt_index on[PARADT_MAX_DIM];
@@ -27123,7 +27440,7 @@ enum { PARADT__EDGE_CLIPPED = 255 }; // instead of an edge's number: the face's 
 // is at infinity, or -2 - i for the i-th of the list's places
 typedef struct paradt__corner_list {
     paradt__list corners;
-    double *places; // [place_capacity][d] as the caller counts, along the set's axes
+    double *places;       // [place_capacity][d] as the caller counts, along the set's axes
     paradt_index *planes; // [place_capacity][1 + d] a point, and the sides of planes of its cell that meet there
     size_t place_count, place_capacity;
 } paradt__corner_list;
@@ -27154,10 +27471,10 @@ typedef struct paradt__clipping {
     const paradt__team *team;
     unsigned wants;
     size_t point_count;
-    paradt_index *points;    // [point_count] those whose cells are clipped, ascending
-    size_t *first;           // [point_count + 1] where the cells of the triangulation around each begin,
-    paradt_index *around;    // in this list
-    paradt__voronoi_tally tally;     // what is found replaces what is there; sums NULL: not wanted
+    paradt_index *points; // [point_count] those whose cells are clipped, ascending
+    size_t *first;        // [point_count + 1] where the cells of the triangulation around each begin,
+    paradt_index *around; // in this list
+    paradt__voronoi_tally tally;  // what is found replaces what is there; sums NULL: not wanted
     unsigned char *unbounded;
     paradt__face_list *lists; // [tasks]; NULL: faces are not wanted
     paradt__corner_list corners[PARADT__MOST_TASKS];
@@ -27171,11 +27488,11 @@ typedef struct paradt__clipping {
 typedef struct paradt__clipper {
     paradt__clipping *clipping;
     paradt__convex cell;
-    paradt_index *stamp;       // [points] of the last of the task's points whose neighbour it was found to be: a mark
-    paradt_index *number;      // [points] scratch of paradt__convex_star
-    paradt_index *names;       // [names_capacity] of the cell's vertices, by the one that those that coincide have
+    paradt_index *stamp;  // [points] of the last of the task's points whose neighbour it was found to be: a mark
+    paradt_index *number; // [points] scratch of paradt__convex_star
+    paradt_index *names;  // [names_capacity] of the cell's vertices, by the one that those that coincide have
     size_t names_capacity;
-    size_t task, at;           // at: of the points
+    size_t task, at; // at: of the points
     paradt__memory *memory;
 } paradt__clipper;
 
@@ -27188,9 +27505,9 @@ static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
     size_t first = clipping->first[clipper->at], count = clipping->first[clipper->at + 1] - first, wall;
     paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 1;
     const paradt_index *around = clipping->around + first;
-    paradt_status status =
-        g->d == 2 ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
-                  : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
+    paradt_status status = g->d == 2
+                               ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
+                               : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
     for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++)
         if (!g->walls[wall].far) status = paradt__convex_clip_by_wall(c, wall);
     *done = !c->tied;
@@ -27470,8 +27787,8 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
             if (slot[row[j]] >= 0) clipping->first[slot[row[j]] + 1]++;
     }
     for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
-    clipping->around = (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1,
-                                                     sizeof *clipping->around);
+    clipping->around =
+        (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1, sizeof *clipping->around);
     for (i = 0; i < g->cells && clipping->around; i++) {
         const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
         for (j = 0; j < corners; j++) {
@@ -27493,8 +27810,7 @@ static paradt_status paradt__clip_join(paradt__clipping *clipping, size_t task, 
     paradt__corner_list *more = &clipping->corners[task];
     size_t d = (size_t)clipping->g->d, i, base = corners->corners.count, places = corners->place_count, left = 0;
     paradt_status status;
-    for (i = 0; i < from->count && clipping->wants & PARADT_VORONOI_POLYGONS; i++)
-        from->cell[i] += (paradt_index)base;
+    for (i = 0; i < from->count && clipping->wants & PARADT_VORONOI_POLYGONS; i++) from->cell[i] += (paradt_index)base;
     status = paradt__face_list_join(list, from);
     for (i = 0; i < more->corners.count && !status; i++) {
         paradt_index item = more->corners.items[i];
@@ -27538,9 +27854,8 @@ static int paradt__corner_list_same(const paradt__diagram *g, const paradt__corn
 //   list       NULL, or a list that their faces are added to, if both sides have PARADT__CELL_CLIPPED
 //   corners    with PARADT_VORONOI_POLYGONS, gets the corners of these faces
 static paradt_status paradt__clip_all(paradt__diagram *g, const paradt__team *team, unsigned wants,
-                                      const unsigned char *again, const paradt__voronoi_tally *tally,
-                                      unsigned char *unbounded, paradt__face_list *list,
-                                      paradt__corner_list *corners) {
+                                      const unsigned char *again, const paradt__voronoi_tally *tally, unsigned char *unbounded,
+                                      paradt__face_list *list, paradt__corner_list *corners) {
     paradt__clipping clipping;
     paradt__face_list lists[PARADT__MOST_TASKS];
     uint64_t peaks = 0;
@@ -27591,8 +27906,8 @@ typedef struct paradt__voronoi_work {
     size_t tasks;
     unsigned wants;
     paradt__diagram g;
-    double *scaled;      // of the diagram, where it has its own
-    paradt__voronoi_tally tally; // of the cells
+    double *scaled;           // of the diagram, where it has its own
+    paradt__voronoi_tally tally;      // of the cells
     unsigned char *unbounded; // [points] is the cell?
     paradt__face_list list;
     paradt__corner_list corners; // of faces that are clipped
@@ -27779,7 +28094,8 @@ static double paradt__voronoi_unscale(const paradt__diagram *g, double value, in
     int exact = 1;
     if (g->shift) {
         value = paradt__voronoi_unscaled(g, value, dim);
-        if (paradt__is_finite(*error)) *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
+        if (paradt__is_finite(*error))
+            *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
     }
     *error += paradt__power(-1000);
     if (paradt__bits(paradt__abs(value)) >= UINT64_C(0x7fefffffffffffff)) *error = HUGE_VAL;
@@ -27806,7 +28122,7 @@ PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, para
         int infinite = work->unbounded[i];
         double volume = infinite ? HUGE_VAL : sums[0], error = infinite ? 0 : sums[1];
         if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
-        if (!infinite && !(volume + error < HUGE_VAL)) // beyond all doubles: the largest one, and no bound
+        if (!infinite && !(volume + error < HUGE_VAL))        // beyond all doubles: the largest one, and no bound
             volume = paradt__from_bits(UINT64_C(0x7fefffffffffffff)), error = HUGE_VAL;
         double scaled = volume;
         if (out->volumes) {
@@ -28017,7 +28333,8 @@ static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__vorono
         for (i = 0; i < count && !status; i++)
             status = paradt__numbering_add(n, work, begin, corners[g->odd && g->d <= 3 ? count - i : i + 1]);
     } else if (g->d == 2) {
-        status = paradt__numbering_add(n, work, begin, paradt__row_vertices(g, (size_t)cell, g->row_bytes)[3 + edge] / 3);
+        status =
+            paradt__numbering_add(n, work, begin, paradt__row_vertices(g, (size_t)cell, g->row_bytes)[3 + edge] / 3);
         if (!status) status = paradt__numbering_add(n, work, begin, cell);
     } else {
         const unsigned char *places = paradt__ring_edges[edge];
@@ -28040,8 +28357,7 @@ static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__vorono
 }
 
 // Fills the vertices.
-static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__voronoi_work *work,
-                                                paradt_voronoi *out) {
+static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__voronoi_work *work, paradt_voronoi *out) {
     const paradt__diagram *g = &work->g;
     size_t d = (size_t)g->d, i, j;
     paradt_status status = PARADT_OK;
@@ -28148,8 +28464,8 @@ PARADT_DEF void paradt_voronoi_free(paradt_voronoi *voronoi) {
 }
 
 // Ends a call: frees all but the result.
-static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voronoi *out, paradt_status status,
-                                         int dim, double begun) {
+static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voronoi *out, paradt_status status, int dim,
+                                         double begun) {
     work->meter.done = PARADT__ALL_DONE;
     if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     paradt__face_list_free(&work->list);
