@@ -5,12 +5,12 @@
 # are the same, cell by cell. Default: 1000000 points in 3 dimensions. Run it from the top folder. See use.h.
 #
 #   USE_OPERATIONS="..."   of the table's; all by default
-#   USE_COUNT=K            operations in a run; by default a tenth of the points, at most 50000
+#   USE_COUNT=K            operations in a run; by default a fortieth of the points: each is removed or moved once at most
 #   USE_ROUNDS=R           runs of each; 3 by default
 #   USE_FLAGS="..."        flags for the library, as -DPARADT_NO_VORONOI
 N=${1:-1000000}
 DIM=${2:-3}
-COUNT=${USE_COUNT:-$((N / 10 < 50000 ? N / 10 : 50000))}
+COUNT=${USE_COUNT:-$((N / 40))}
 ROUNDS=${USE_ROUNDS:-3}
 B=build/bench
 mkdir -p "$B" || exit 1
