@@ -6489,9 +6489,24 @@ PARADT__INLINE void paradt__sides_in_space(const paradt__scene *scene, const par
     values[3] = m02 * d[1][2] - m12 * d[0][2] - m01 * d[2][2];
 }
 
+// The same of a cell in the plane. values: [3]
+PARADT__INLINE void paradt__sides_in_plane(const paradt__scene *scene, const paradt_index *row, const double *x,
+                                           double *values) {
+    double d[3][2];
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double *p = paradt__scene_record(scene, row[i]);
+        d[i][0] = p[0] - x[0];
+        d[i][1] = p[1] - x[1];
+    }
+    values[0] = d[1][0] * d[2][1] - d[1][1] * d[2][0];
+    values[1] = d[2][0] * d[0][1] - d[2][1] * d[0][0];
+    values[2] = d[0][0] * d[1][1] - d[0][1] * d[1][0];
+}
+
 // The facet of a cell that a walk crosses to get to x; -1: x is in the cell, and *inside has a bit for each vertex with
-// x strictly on its side of the facet opposite. from: the facet it came through; -1: none. In space it is the facet
-// that has x farthest beyond it, as parts of the cell's heights.
+// x strictly on its side of the facet opposite. from: the facet it came through; -1: none. In the plane and in space it
+// is the facet that has x farthest beyond it, as a part of the cell's height.
 PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell, const double *x, int from,
                                          unsigned *inside, int corners) {
     const paradt_index *row = scene->mesh.vertices + (size_t)cell * (size_t)corners;
@@ -6499,17 +6514,19 @@ PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell
     double values[4];
     unsigned known = from >= 0 ? 1u << from : 0, positive = known;
     int i;
-    if (PARADT__IS(corners, 4) && space->bounded) {
-        double least = -space->orient[3].certain;
+    if ((PARADT__IS(corners, 4) || corners == 3) && space->bounded) {
+        const double certain = space->orient[corners - 1].certain;
+        double least = -certain;
         int facet = -1;
-        paradt__sides_in_space(scene, row, x, values);
-        for (i = 0; i < 4; i++) {
+        if (corners == 3) paradt__sides_in_plane(scene, row, x, values);
+        else paradt__sides_in_space(scene, row, x, values);
+        for (i = 0; i < corners; i++) {
             double value = i == from ? 0.0 : values[i];
             facet = value < least ? i : facet;
             least = value < least ? value : least;
         }
         if (PARADT__LIKELY(facet >= 0)) return facet;
-        for (i = 0; i < 4; i++) positive |= (unsigned)(values[i] > space->orient[3].certain) << i;
+        for (i = 0; i < corners; i++) positive |= (unsigned)(values[i] > certain) << i;
         known |= positive;
     }
     for (i = 0; i < corners && known != (2u << (corners - 1)) - 1; i++) {
@@ -6536,8 +6553,8 @@ PARADT__INLINE paradt_index paradt__walk_by(paradt__scene *scene, paradt_index c
         const paradt_index *links = mesh->links + (size_t)cell * (size_t)corners;
         int ghost = paradt__ghost_place(mesh->vertices + (size_t)cell * (size_t)corners, corners), facet = ghost;
         PARADT_ASSERT(mesh->vertices[(size_t)cell * (size_t)corners] != PARADT__DEAD);
-        for (i = 0; i < corners && PARADT__IS(corners, 4); i++) // there it goes on, most probably
-            paradt__fetch_row(mesh->vertices, mesh->links, (size_t)links[i] / 4, 4);
+        for (i = 0; i < corners && corners <= 4; i++) // one of these is next, most probably
+            paradt__fetch_row(mesh->vertices, mesh->links, (size_t)(links[i] / corners), (size_t)corners);
         *inside = 0;
         if (ghost < 0) facet = paradt__facet_towards(scene, cell, x, from, inside, corners);
         else if (from == ghost || paradt__side(scene, cell, ghost, x) > 0) return cell;
@@ -22117,10 +22134,26 @@ static void paradt__locator_view(const paradt_locator *locator, paradt__view *vi
     view->wider = &locator->wider;
 }
 
-// Finds for each bucket the cell that its centre is in, or is seen from. From one to the next, which are neighbours.
+// The vertex of a cell that is nearest to a place, as far as doubles tell
+static paradt_index paradt__locating_nearest(const paradt__scene *scene, paradt_index cell, const double *x) {
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    paradt_index best = row[0];
+    double least = 0;
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++) {
+        double power = paradt__power_at(scene, x, row[i], scene->space.ambient, scene->space.weighted).value;
+        if (i && !(power < least)) continue;
+        least = power;
+        best = row[i];
+    }
+    return best;
+}
+
+// Finds for each bucket the cell that its centre is in, or is seen from, and of this cell the vertex that is nearest to
+// the centre. From one to the next, which are neighbours.
 static paradt_status paradt__locating_centres(paradt__locating *work) {
     paradt_locator *locator = work->locator;
-    const paradt__starts *starts = &locator->starts;
+    paradt__starts *starts = &locator->starts;
     paradt_index place = 0;
     paradt__view view;
     size_t grid, i;
@@ -22139,6 +22172,9 @@ static paradt_status paradt__locating_centres(paradt__locating *work) {
             found = paradt__place_in(&view, place, centre, &inside);
             place = found < 0 ? 0 : found;
             locator->cell_at[starts->grids[grid].first + i] = place;
+            found = paradt__locating_nearest(&view.scene, place, centre);
+            if (starts->buckets[starts->grids[grid].first + i] >= 0)
+                starts->buckets[starts->grids[grid].first + i] = found;
         }
     }
     return PARADT_OK;
@@ -22263,18 +22299,22 @@ static int paradt__locator_take(const paradt_locator *locator, const double *x, 
     return finite;
 }
 
-// The position of the vertex that a hint names; -1: none
-static paradt_index paradt__locator_hint(const paradt_locator *locator, paradt_index hint) {
-    return hint >= 0 && (size_t)hint < locator->point_count ? locator->position[hint] : -1;
+// Where a search for a place begins. A hint is followed if its vertex is in the place's bucket: otherwise the bucket's
+// own cell and vertex are nearer. *bucket: that of the place. Returns the position of the vertex hinted at, or -1.
+static paradt_index paradt__locator_start(const paradt_locator *locator, const double *x, paradt_index hint,
+                                          size_t *bucket) {
+    size_t other;
+    paradt__starts_at(&locator->starts, x, bucket);
+    if (hint < 0 || (size_t)hint >= locator->point_count || locator->position[hint] < 0) return -1;
+    paradt__starts_at(&locator->starts, paradt__record(&locator->set, locator->position[hint]), &other);
+    return other == *bucket ? locator->position[hint] : -1;
 }
 
 // The cell at which a search for a place begins
-static paradt_index paradt__locator_start(const paradt_locator *locator, const double *x, paradt_index hint) {
-    paradt_index vertex = paradt__locator_hint(locator, hint);
+static paradt_index paradt__locator_cell(const paradt_locator *locator, const double *x, paradt_index hint) {
     size_t bucket;
-    if (vertex >= 0) return locator->cell_of[vertex];
-    paradt__starts_at(&locator->starts, x, &bucket);
-    return locator->cell_at[bucket];
+    paradt_index vertex = paradt__locator_start(locator, x, hint, &bucket);
+    return vertex < 0 ? locator->cell_at[bucket] : locator->cell_of[vertex];
 }
 
 // *cell: a place to begin at; then that of the cell found
@@ -22296,18 +22336,18 @@ PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, cons
     if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return none;
     paradt__locator_view(locator, &view);
     paradt__view_admit(&view, own);
-    cell = paradt__locator_start(locator, own, hint);
+    cell = paradt__locator_cell(locator, own, hint);
     return paradt__locator_at(&view, &cell, own);
 }
 
 // The nearest vertex to a place that has been taken over; its position
 static paradt_index paradt__locator_nearest(const paradt_locator *locator, paradt__view *view, const double *x,
                                             paradt_index hint) {
-    paradt_index vertex = paradt__locator_hint(locator, hint);
     size_t bucket;
+    paradt_index vertex = paradt__locator_start(locator, x, hint, &bucket);
     paradt__locator_view(locator, view);
     paradt__view_admit(view, x);
-    if (vertex < 0) vertex = paradt__starts_at(&locator->starts, x, &bucket);
+    if (vertex < 0) vertex = locator->starts.buckets[bucket];
     return paradt__descend(&view->scene, &locator->neighbors, x, vertex);
 }
 
@@ -22384,7 +22424,7 @@ PARADT_DEF paradt_status paradt_within(const paradt_locator *locator, const doub
 static paradt_status paradt__locator_along(const paradt_locator *locator, paradt__scratch *scratch, const double *a,
                                            const double *b) {
     const paradt__space *space = &locator->scene.space;
-    paradt_index from = paradt__locator_start(locator, a, -1);
+    paradt_index from = paradt__locator_cell(locator, a, -1);
     paradt__view view;
     paradt__locator_view(locator, &view);
     if (space->dim < space->ambient) {
