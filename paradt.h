@@ -1437,7 +1437,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   mesh
 //     mesh                         695   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        185   conflict test, walk, update
+//     scene                        202   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
@@ -1499,10 +1499,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
-//     locator                      574   the entry of queries
-//     holes of vertices            738   what fills the hole where a vertex goes
-//     state of a living set        695   columns, journal, hidden and coincident points
-//     changes of a living set      644   one point comes, goes or moves; the set anew
+//     locator                      597   the entry of queries
+//     holes of vertices            381   the hole where a vertex goes, and wrapping it
+//     filling holes                391   what fills it
+//     state of a living set        698   columns, journal, hidden and coincident points
+//     changes of a living set      672   one point comes, goes or moves; the set anew
 //     living set                   634   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
@@ -22609,8 +22610,7 @@ PARADT_DEF paradt_status paradt_nearest(const paradt_locator *locator, const par
 // triangulated by insertion, and the cavity of v is dug there. If Q is flat, the filling has ghosts alone.
 //
 // Points have numbers here, 0 to Q's count - 1; a set of few of them is a mask, a bit for each.
-// Doors: paradt__filling_star, paradt__filling_cells, paradt__filling_is_flat, paradt__filling_make,
-// paradt__filling_free.
+// Doors: paradt__filling_*, paradt__wrap_begin, paradt__wrap_apex, paradt__wrap_cell.
 
 enum {
     PARADT__MOST_WRAPPED = 62, // points of holes that are wrapped
@@ -22658,6 +22658,30 @@ static void paradt__filling_free(paradt__filling *f, paradt__memory *memory) {
 
 // --- the hole
 
+// Which cells of a star have been met: while they are few in a table, for the marks of a mesh are seldom in a cache;
+// then they have the mark PARADT__CONFLICT.
+typedef struct paradt__met {
+    int marked;
+    paradt_index table[256];
+} paradt__met;
+
+// Notes a cell. Returns 0 if it has been met before.
+PARADT__INLINE int paradt__met_add(paradt__met *met, paradt__mesh *mesh, const paradt__update *update,
+                                   paradt_index place) {
+    enum { FEW = 64 };
+    size_t at = (uint32_t)place * 0x9E3779B1u >> 24, i;
+    if (!PARADT__LIKELY(!met->marked)) return paradt__mesh_mark(mesh, (size_t)place, PARADT__CONFLICT);
+    for (; met->table[at] >= 0; at = (at + 1) % 256) {
+        if (met->table[at] == place) return 0;
+    }
+    met->table[at] = place;
+    if (update->killed_count < FEW) return 1;
+    met->marked = 1;
+    for (i = 0; i < update->killed_count; i++)
+        paradt__mesh_mark(mesh, (size_t)paradt__mesh_cell(mesh, update->killed[i]), PARADT__CONFLICT);
+    return paradt__mesh_mark(mesh, (size_t)place, PARADT__CONFLICT);
+}
+
 // Collects the cells and ghosts around a vertex of a cell: update.killed are their first handles, and build->rim their
 // facets opposite the vertex. No marks are left.
 static paradt_status paradt__filling_cells(paradt__insertion *build, paradt_index vertex, paradt_index cell) {
@@ -22665,11 +22689,14 @@ static paradt_status paradt__filling_cells(paradt__insertion *build, paradt_inde
     paradt__update *update = &build->update;
     paradt_index corners = mesh->corners, i;
     size_t head, more = (size_t)corners;
+    paradt__met met;
     paradt_status status = paradt__list_room(&update->killed, 0, &update->killed_capacity, more, build->memory);
     if (status) return status;
+    memset(&met, -1, sizeof met);
+    met.marked = 0;
     update->killed[0] = cell * corners;
     update->killed_count = 1;
-    mesh->marks[cell] |= PARADT__CONFLICT;
+    paradt__met_add(&met, mesh, update, cell);
     build->rim_count = 0;
     for (head = 0; head < update->killed_count && !status; head++) {
         paradt_index base = update->killed[head];
@@ -22682,13 +22709,14 @@ static paradt_status paradt__filling_cells(paradt__insertion *build, paradt_inde
             paradt_index other = paradt__mesh_cell(mesh, mesh->links[i]);
             if (mesh->vertices[i] == vertex) {
                 build->rim[build->rim_count++] = i;
-            } else if (paradt__mesh_mark(mesh, (size_t)other, PARADT__CONFLICT)) {
+                PARADT__PREFETCH_TO_WRITE(mesh->links + mesh->links[i]);
+            } else if (paradt__met_add(&met, mesh, update, other)) {
                 update->killed[update->killed_count++] = other * corners;
                 paradt__fetch_row(mesh->vertices, mesh->links, (size_t)other, more);
             }
         }
     }
-    for (head = 0; head < update->killed_count; head++)
+    for (head = 0; head < update->killed_count && met.marked; head++)
         paradt__mesh_unmark(mesh, (size_t)paradt__mesh_cell(mesh, update->killed[head]), PARADT__CONFLICT);
     return status;
 }
@@ -22946,13 +22974,20 @@ static paradt_status paradt__wrap_cell(paradt__filling *f, size_t opening, int a
     return PARADT_OK;
 }
 
-#if PARADT_MAX_DIM >= 3
-// In space, where spheres are kept, floating point proposes the point and proves that it is right. Among the spheres
-// through a facet the power of a point changes by a multiple of its height over the facet; of all points at a height
-// above 0 the one with the least quotient of power, with regard to the cell behind the facet, and height is proposed.
-// Its sphere is made with a bound on its error, by >>kept spheres, with v for the centre of the box. All is proved if
-// the bound says that the cell is positively oriented, and the powers of all other points exceed it.
+// ---------------------------------------------------------------------------------------------------------------------
+// >>filling holes
+//
+// Holes of vertices are filled: in any dimension by exact predicates alone, in space faster, and with many points by
+// their triangulation.
+//
+// In space, where spheres are kept, floating point proposes the point for a facet and proves that it is right. Among
+// the spheres through a facet the power of a point changes by a multiple of its height over the facet; of all points at
+// a height above 0 the one with the least quotient of power, with regard to the cell behind the facet, and height is
+// proposed. Its sphere is made with a bound on its error, by >>kept spheres, with v for the centre of the box. All is
+// proved if the bound says that the cell is positively oriented, and the powers of all other points exceed it.
+// Door: paradt__filling_make.
 
+#if PARADT_MAX_DIM >= 3
 // Makes the points' coordinates relative to v.
 static void paradt__wrap_centre(paradt__filling *f, const double *v) {
     size_t count = f->points.count, padded = (count + 3) & ~(size_t)3, i;
@@ -23830,7 +23865,10 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
     if (status) return status;
     for (i = 0; i < build->update.killed_count; i++) {
         const paradt_index *vertices = mesh->vertices + paradt__mesh_cell(mesh, build->update.killed[i]) * corners;
-        for (j = 0; j < row; j++) PARADT__FETCH(owner, vertices[j]);
+        for (j = 0; j < row; j++) {
+            PARADT__FETCH(owner, vertices[j]);
+            PARADT__FETCH(d->column[PARADT__CELL], vertices[j]);
+        }
     }
     for (i = 0; i < build->rim_count; i++) {
         paradt_index inner = build->rim[i], outer = mesh->links[inner];
@@ -24177,6 +24215,10 @@ static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index pos
         for (; hidden >= 0 && !status; hidden = paradt__living_get(d, PARADT__NEXT_HIDDEN, hidden))
             status = paradt__list_append(&f->points, hidden, &d->memory);
     }
+    for (at = 0; at < f->points.count && !status; at++) { // wanted when all is decided
+        PARADT__FETCH(d->column[PARADT__OWNER], f->points.items[at]);
+        PARADT__FETCH(d->column[PARADT__CELL], f->points.items[at]);
+    }
     if (!status && finite == d->now.cells) status = paradt__filling_is_flat(f, build, position, &flat);
     if (!status && flat) status = PARADT__GAVE_UP;
     if (!status) status = paradt__filling_make(f, build, position);
@@ -24258,7 +24300,10 @@ static paradt_index paradt__living_start(const paradt_dynamic *d, const double *
     if (position < 0) position = paradt__starts_at(&d->starts, record, &bucket);
     if (position < 0 || (size_t)position >= d->now.positions || owner[position] < 0)
         return paradt__insertion_start(&d->build);
-    return paradt__living_get(d, PARADT__CELL, position);
+    position = paradt__living_get(d, PARADT__CELL, position);
+    paradt__fetch_row(d->build.scene.mesh.vertices, d->build.scene.mesh.links, (size_t)position,
+                      (size_t)d->build.scene.mesh.corners);
+    return position;
 }
 
 // Finds a cell in conflict with a place that is no vertex, by a walk like that of paradt__walk, which ends at the first
@@ -24271,8 +24316,11 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
     paradt__centred centred = paradt__centred_of(build->kept, record);
     int i, from = -1;
     for (*fresh = 1;;) {
-        const paradt_index *row = mesh->vertices + 4 * (size_t)cell;
-        int ghost = paradt__ghost_place(row, 4);
+        const paradt_index *row = mesh->vertices + 4 * (size_t)cell, *links = mesh->links + 4 * (size_t)cell;
+        int ghost;
+        for (i = 0; i < 4; i++) PARADT__FETCH(scene->records, (row[i] < 0 ? 0 : (size_t)row[i]) * scene->width);
+        for (i = 0; i < 4; i++) paradt__fetch_row(mesh->vertices, mesh->links, (size_t)links[i] >> 2, 4);
+        ghost = paradt__ghost_place(row, 4);
         if (ghost >= 0) {
             if (paradt__side(scene, cell, ghost, record) > 0) return cell;
             i = ghost;
@@ -24284,8 +24332,8 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
             *fresh = i < 4;
             if (i == 4) return cell;
         }
-        from = (int)(mesh->links[4 * (size_t)cell + (size_t)i] & 3);
-        cell = mesh->links[4 * (size_t)cell + (size_t)i] >> 2;
+        from = (int)(links[i] & 3);
+        cell = links[i] >> 2;
     }
 }
 
@@ -24388,6 +24436,23 @@ static int paradt__living_stays(paradt_dynamic *d, const double *record) {
     return 1;
 }
 
+// Is a move so short, in comparison with an edge, that the cells have a chance to stay? Where it is a 25th of the edge,
+// some four in ten vertices of uniform points in space keep their cells; then to try pays.
+static int paradt__living_may_stay(const paradt_dynamic *d, paradt_index position, const double *record) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    const paradt_index *row = paradt__mesh_row(mesh, paradt__living_get(d, PARADT__CELL, position));
+    const double *from = paradt__living_record(d, position), *other;
+    double moved = 0.0, edge = 0.0;
+    int i = 0, axis;
+    while (row[i] == position || row[i] < 0) i++;
+    other = paradt__living_record(d, row[i]);
+    for (axis = 0; axis < d->ambient; axis++) {
+        moved += (record[axis] - from[axis]) * (record[axis] - from[axis]);
+        edge += (other[axis] - from[axis]) * (other[axis] - from[axis]);
+    }
+    return moved * 625.0 < edge;
+}
+
 // Moves a point without any change of cells, if that is possible: *done says so.
 static paradt_status paradt__living_slide(paradt_dynamic *d, paradt_index id, const double *record, int *done) {
     paradt__insertion *build = &d->build;
@@ -24399,6 +24464,7 @@ static paradt_status paradt__living_slide(paradt_dynamic *d, paradt_index id, co
     if (d->column[PARADT__CHILD] && (paradt__living_get(d, PARADT__OWNER, position) != id ||
                                      paradt__living_get(d, PARADT__CHILD, id) != PARADT__NOWHERE))
         return PARADT_OK;
+    if (!paradt__living_may_stay(d, position, record)) return PARADT_OK;
     paradt__living_measure(d, record);
     status = paradt__living_write_room(d);
     if (!status) status = paradt__filling_cells(build, position, paradt__living_get(d, PARADT__CELL, position));

@@ -515,7 +515,7 @@ static void memory_limit_is_kept(void **state) {
     paradt_options options = {0};
     paradt_status status = PARADT_OK;
     paradt_dynamic_info info;
-    options.memory_limit = 2 << 20;
+    options.memory_limit = 5 << 18;
     game g = game_begin(&pool, 1000, &options, 2);
     for (int i = 1000; i < pool.count && !status; i++) {
         paradt_index id;
