@@ -21638,6 +21638,7 @@ static paradt_status paradt__faces_make(paradt__diagram *g, const paradt__team *
     memset(facing.done, 0, g->cells);
     for (i = 0; i < slots; i++) {
         facing.tally[i] = *total;
+        if (facing.chunks > 1) facing.tally[i].sums = NULL;
         if (facing.chunks > 1 && total->sums && !status) {
             facing.tally[i].sums = (double *)paradt__alloc(g->memory, bytes, 1);
             if (facing.tally[i].sums) memset(facing.tally[i].sums, 0, bytes);
@@ -23444,7 +23445,7 @@ static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const para
 
 static void *paradt__voronoi_array(paradt__voronoi_work *work, size_t count, size_t size, paradt_status *status) {
     void *array = *status ? NULL : paradt__alloc_filled(&work->memory, count, size);
-    if (!array) *status = PARADT_ERROR_MEMORY;
+    if (!*status && !array) *status = PARADT_ERROR_MEMORY;
     return array;
 }
 
