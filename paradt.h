@@ -869,8 +869,9 @@ enum {
     PARADT_VORONOI_VOLUMES = 1,   // volumes of cells, with their errors
     PARADT_VORONOI_CENTROIDS = 2, // centroids of cells
     PARADT_VORONOI_FACES = 4,     // faces: their sides, and which cells have them
-    PARADT_VORONOI_AREAS = 8,     // areas of faces, their centroids and normals
-    PARADT_VORONOI_POLYGONS = 16  // vertices, and the vertices of each face in order
+    PARADT_VORONOI_AREAS = 8,     // areas of faces
+    PARADT_VORONOI_POLYGONS = 16, // vertices, and the vertices of each face in order
+    PARADT_VORONOI_NORMALS = 32   // normals of faces, and their centroids
 };
 
 // What is wanted of a Voronoi diagram
@@ -1219,14 +1220,14 @@ PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_t
 //
 // Numbers: volumes come with proven errors: a few roundoffs of the coordinates' size times the cell's surface, much
 // more for cells with vertices far away, infinite where the volume is beyond the largest double (which stands for it).
-// A coordinate of a vertex where nothing clips errs by at most 9 roundoffs (2^-52) of the vertex's largest coordinate,
+// A coordinate of a vertex where nothing clips errs by at most 33 roundoffs (2^-52) of the vertex's largest coordinate,
 // or 257 roundoffs of the largest coordinate of its difference to a point that is nearest, if that is more; where walls
 // clip, and in more than 3 dimensions, it is the nearest double. Cells that share a vertex share its bits. Areas,
 // centroids and normals are what follows from these vertices. Bits may depend on the order of points and cells and the
 // compiler's flags, but not on the number of tasks.
 //
-// Dimensions: all outputs in 2 and 3. Above, centroids and areas are ARGUMENT, and the vertices of a face are in no
-// order, -1 last. Lower dimensions: points in a flat have cells that are unbounded, but for what clips them.
+// Dimensions: all outputs in 2 and 3. Above, centroids, areas and normals are ARGUMENT, and the vertices of a face are
+// in no order, -1 last. Lower dimensions: points in a flat have cells that are unbounded, but for what clips them.
 PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const paradt_triangulation *triangulation,
                                                 const paradt_points *points, const paradt_voronoi_request *request,
                                                 const paradt_options *options);
@@ -21082,7 +21083,7 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
         largest = paradt__larger(largest, paradt__abs(centre[i]));
     }
     centre[d] = y[d] + PARADT__ROUNDOFF * largest;
-    if (known || y[d] <= 8 * PARADT__ROUNDOFF * largest) return 1;
+    if (known || y[d] <= 32 * PARADT__ROUNDOFF * largest) return 1;
     return paradt__centre_exact(g, vertices, centre);
 }
 
@@ -21244,13 +21245,14 @@ static int paradt__face_list_grow_one(paradt__face_list *list, void *array_of, s
 
 // Makes room for `more` faces.
 PARADT__NOINLINE paradt_status paradt__face_list_grow(paradt__face_list *list, size_t more) {
-    const unsigned measures = list->wants & PARADT_VORONOI_AREAS, rings = list->wants & PARADT_VORONOI_POLYGONS;
+    const unsigned normals = list->wants & PARADT_VORONOI_NORMALS, rings = list->wants & PARADT_VORONOI_POLYGONS;
     size_t capacity = list->count + more, vector = (size_t)list->d * sizeof(double);
     if (capacity < list->capacity + list->capacity / 2) capacity = list->capacity + list->capacity / 2;
     if (!paradt__face_list_grow_one(list, &list->sides, capacity, 2 * sizeof *list->sides)) return PARADT_ERROR_MEMORY;
-    if (measures && (!paradt__face_list_grow_one(list, &list->areas, capacity, sizeof(double)) ||
-                     !paradt__face_list_grow_one(list, &list->centroids, capacity, vector) ||
-                     !paradt__face_list_grow_one(list, &list->normals, capacity, vector)))
+    if (list->wants & PARADT_VORONOI_AREAS && !paradt__face_list_grow_one(list, &list->areas, capacity, sizeof(double)))
+        return PARADT_ERROR_MEMORY;
+    if (normals && (!paradt__face_list_grow_one(list, &list->centroids, capacity, vector) ||
+                    !paradt__face_list_grow_one(list, &list->normals, capacity, vector)))
         return PARADT_ERROR_MEMORY;
     if (rings && (!paradt__face_list_grow_one(list, &list->cell, capacity, sizeof *list->cell) ||
                   !paradt__face_list_grow_one(list, &list->edge, capacity, 1)))
@@ -21393,8 +21395,8 @@ PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index 
     int j;
     list->sides[2 * at] = p;
     list->sides[2 * at + 1] = q;
-    if (!(list->wants & PARADT_VORONOI_AREAS)) return;
-    list->areas[at] = measure / length;
+    if (list->wants & PARADT_VORONOI_AREAS) list->areas[at] = measure / length;
+    if (!(list->wants & PARADT_VORONOI_NORMALS)) return;
     for (j = 0; j < d; j++) {
         list->normals[at * (size_t)d + (size_t)j] = a[j] / length;
         list->centroids[at * (size_t)d + (size_t)j] = centroid[j];
@@ -21459,7 +21461,7 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
         list->edge[list->count] = (unsigned char)edge;
     }
     paradt__face_list_add(list, p, q, measure, normal,
-                          list->wants & PARADT_VORONOI_AREAS
+                          list->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)
                               ? sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
                               : 1,
                           where, 3);
@@ -21563,7 +21565,7 @@ PARADT__HOT void paradt__faces_task(void *context, size_t task) {
     paradt__facing *facing = (paradt__facing *)context;
     const paradt__diagram *g = facing->g;
     size_t chunk, step = facing->team->tasks;
-    int moments = (facing->wants & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS)) != 0;
+    int moments = (facing->wants & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_NORMALS)) != 0;
     paradt_status status = PARADT_OK;
     for (chunk = task; chunk < facing->chunks && !status; chunk += step) {
         size_t begin = g->cells / facing->chunks * chunk, slot = step == 1 ? 0 : chunk;
@@ -21584,8 +21586,8 @@ static paradt_status paradt__face_list_join(paradt__face_list *list, const parad
     paradt_status status = paradt__face_list_room(list, count);
     if (status || !count) return status;
     memcpy(list->sides + 2 * at, more->sides, 2 * count * sizeof *more->sides);
-    if (list->wants & PARADT_VORONOI_AREAS) {
-        memcpy(list->areas + at, more->areas, count * sizeof(double));
+    if (list->wants & PARADT_VORONOI_AREAS) memcpy(list->areas + at, more->areas, count * sizeof(double));
+    if (list->wants & PARADT_VORONOI_NORMALS) {
         memcpy(list->centroids + at * d, more->centroids, count * d * sizeof(double));
         memcpy(list->normals + at * d, more->normals, count * d * sizeof(double));
     }
@@ -23056,13 +23058,13 @@ static paradt_status paradt__clip_list(paradt__clipper *clipper) {
         at = (paradt_index)list->count++;
         list->sides[2 * at] = c->p;
         list->sides[2 * at + 1] = h->side;
-        if (clipping->wants & PARADT_VORONOI_AREAS) {
+        if (clipping->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)) {
             paradt__convex_face face;
             double square = 0;
             paradt__convex_measure_face(c, (paradt_index)plane, origin, &face);
-            list->areas[at] = face.measure;
+            if (clipping->wants & PARADT_VORONOI_AREAS) list->areas[at] = face.measure;
             for (j = 0; j < d; j++) square += h->normal[j] * h->normal[j];
-            for (j = 0; j < d; j++) {
+            for (j = 0; j < d && clipping->wants & PARADT_VORONOI_NORMALS; j++) {
                 list->normals[(size_t)at * d + j] = h->normal[j] / sqrt(square);
                 list->centroids[(size_t)at * d + j] = base[j] + face.centroid[j];
             }
@@ -23291,6 +23293,12 @@ typedef struct paradt__voronoi_work {
     uint32_t reported[4];
 } paradt__voronoi_work;
 
+// Outputs for which there have to be faces
+enum {
+    PARADT__VORONOI_ANY_FACE =
+        PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS | PARADT_VORONOI_NORMALS
+};
+
 enum { PARADT__VORONOI_CENTRES, PARADT__VORONOI_FACES, PARADT__VORONOI_CLIPS, PARADT__VORONOI_ENDS };
 
 static paradt__team paradt__voronoi_team(paradt__voronoi_work *work, int step) {
@@ -23314,7 +23322,7 @@ static int paradt__voronoi_is_number(double x) {
 static const char *paradt__voronoi_fault(const paradt_triangulation *t, const paradt_points *points,
                                          const paradt_voronoi_request *request) {
     const unsigned all = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_FACES |
-                         PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+                         PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS | PARADT_VORONOI_NORMALS;
     size_t i, d = (size_t)points->dim;
     if (!t) return "triangulation is NULL";
     if (t->point_count != points->count) return "points.count is not that of the triangulation";
@@ -23323,8 +23331,8 @@ static const char *paradt__voronoi_fault(const paradt_triangulation *t, const pa
         return "triangulation.cells or neighbors is NULL; PARADT_NO_NEIGHBORS gives none";
     if (!request) return NULL;
     if (request->outputs & ~all) return "request.outputs has a bit that means nothing";
-    if (d > 3 && request->outputs & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS))
-        return "request.outputs has centroids or areas, which are there in two and three dimensions";
+    if (d > 3 && request->outputs & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS))
+        return "request.outputs has centroids, areas or normals, which are there in two and three dimensions";
     if (request->plane_count && !request->planes) return "request.planes is NULL, but plane_count is not 0";
     for (i = 0; i < 2 * d && request->box; i++) {
         double bound = request->box[i];
@@ -23423,8 +23431,8 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
 // --- reading
 
 // Reads the triangulation and its points.
-static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
-                                          const paradt_points *points, size_t *bad) {
+PARADT__HOT paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                               const paradt_points *points, size_t *bad) {
     paradt__diagram *g = &work->g;
     paradt__mesh mesh;
     paradt_status status = PARADT_OK;
@@ -23555,16 +23563,15 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     list->areas = list->centroids = list->normals = NULL;
     for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
         if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
-    if (out->areas && (g->shift || g->k < g->d)) {
-        for (i = 0; i < out->face_count; i++) {
-            double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
-            out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
-            memcpy(centroid, out->face_centroids + i * d, d * sizeof(double));
-            memcpy(normal, out->normals + i * d, d * sizeof(double));
-            for (j = 0; j < d; j++) {
-                out->normals[i * d + (size_t)g->set.axes[j]] = normal[j];
-                out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__voronoi_unscaled(g, centroid[j], 1);
-            }
+    for (i = 0; i < out->face_count && out->areas && g->shift; i++)
+        out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
+    for (i = 0; i < out->face_count && out->normals && (g->shift || g->k < g->d); i++) {
+        double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
+        memcpy(centroid, out->face_centroids + i * d, d * sizeof(double));
+        memcpy(normal, out->normals + i * d, d * sizeof(double));
+        for (j = 0; j < d; j++) {
+            out->normals[i * d + (size_t)g->set.axes[j]] = normal[j];
+            out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__voronoi_unscaled(g, centroid[j], 1);
         }
     }
     return paradt__voronoi_incidence(work, out);
@@ -23574,7 +23581,7 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
 PARADT__HOT paradt_status paradt__voronoi_clip(paradt__voronoi_work *work) {
     paradt__diagram *g = &work->g;
     paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CLIPS);
-    const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    const unsigned faces = PARADT__VORONOI_ANY_FACE;
     unsigned char *again = (unsigned char *)paradt__alloc(&work->memory, g->set.count, 1);
     size_t i;
     paradt_status status;
@@ -23779,13 +23786,13 @@ PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, p
     return status;
 }
 
-static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const paradt_triangulation *t,
-                                         const paradt_points *points, const paradt_voronoi_request *request,
-                                         paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                              const paradt_points *points, const paradt_voronoi_request *request,
+                                              paradt_voronoi *out) {
     paradt__diagram *g = &work->g;
     paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CENTRES);
     const unsigned measures = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS;
-    const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    const unsigned faces = PARADT__VORONOI_ANY_FACE;
     paradt_status status = paradt__voronoi_read(work, t, points, &out->error_point);
     if (!status) status = paradt__voronoi_walls(work, request);
     if (!status) status = paradt__voronoi_scale(work);

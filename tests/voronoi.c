@@ -762,7 +762,7 @@ static void compare_families(int dim, int count, unsigned outputs, const weighti
             }
 }
 
-enum { EVERYTHING = 31 };
+enum { EVERYTHING = 63 };
 
 static void cells_in_the_plane_are_those_of_the_definition(void **state) {
     (void)state;
