@@ -869,8 +869,9 @@ enum {
     PARADT_VORONOI_VOLUMES = 1,   // volumes of cells, with their errors
     PARADT_VORONOI_CENTROIDS = 2, // centroids of cells
     PARADT_VORONOI_FACES = 4,     // faces: their sides, and which cells have them
-    PARADT_VORONOI_AREAS = 8,     // areas of faces, their centroids and normals
-    PARADT_VORONOI_POLYGONS = 16  // vertices, and the vertices of each face in order
+    PARADT_VORONOI_AREAS = 8,     // areas of faces
+    PARADT_VORONOI_POLYGONS = 16, // vertices, and the vertices of each face in order
+    PARADT_VORONOI_NORMALS = 32   // normals of faces, and their centroids
 };
 
 // What is wanted of a Voronoi diagram
@@ -887,7 +888,7 @@ typedef struct paradt_voronoi {
     int dim;                    // of the points, and of cells; -1: an error
     size_t cell_count;          // number of points, as given: cell i is that of point i
     double *volumes;            // [cell_count] infinite: unbounded; 0: the cell is empty (a hidden point, a duplicate,
-                                // or all of it clipped away)
+                                // or all of it clipped away), or its volume less than half the smallest double
     double *volume_errors;      // [cell_count] proven: the true volume is at most this far from it
     double volume;              // sum of all volumes
     double *centroids;          // [cell_count][dim] NaN where the volume is infinite or 0
@@ -1204,18 +1205,29 @@ PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_t
 //   out            is overwritten, whatever it held; after an error it is empty but for error_point and error_text
 //   triangulation  of the points, with neighbors
 //   points         those that it was made from
-//   request        NULL: volumes, not clipped
+//   request        NULL: volumes, not clipped. Bounds of the box may be infinite: there it has none
 //   options        NULL: the defaults. allocator, memory_limit, progress, parallel_for, regions (number of tasks; 0:
 //                  four), user are used, and PARADT_FACETS in flags, which says what neighbors hold
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, and INVALID where arrays do not fit together. Thread
+// safety: any number of concurrent calls. Cost: linear time in the cells, and clipping what leaves the walls; in more
+// than 3 dimensions every cell is clipped, and its volume takes time as its flags of faces.
+//
 // Walls: of the box, wall i is its lower bound of axis i, and dim + i its upper; plane k is wall 2 * dim + k, with or
 // without a box. What clips what is decided exactly: which faces, edges and vertices there are, and which cells are
-// unbounded. Faces that are nothing but the perturbation (of points on one sphere) are not listed. Numbers: each
-// coordinate of a vertex is the double nearest to the true one where nothing clips, and else within the error that is
-// said at PARADT_VORONOI in the manual; cells that share a vertex share its bits. Volumes come with proven errors.
-// Dimensions: all outputs in 2 and 3; above, volumes, vertices and faces' sides, and what is unbounded; the rest is
-// ARGUMENT there. Lower dimensions: points in a flat have cells that are unbounded, but for what clips them.
-// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, and INVALID where arrays do not fit together. Thread
-// safety: any number of concurrent calls. Cost: linear time in the cells, and clipping what leaves the box.
+// unbounded. Where a wall and the plane between two points coincide the wall is the side, of two walls the first. Faces
+// that are nothing but the perturbation (of points on one sphere) are not listed. With weights a point may lie between
+// two others so that its cell has no volume, but faces: on both sides of it.
+//
+// Numbers: volumes come with proven errors: a few roundoffs of the coordinates' size times the cell's surface, much
+// more for cells with vertices far away, infinite where the volume is beyond the largest double (which stands for it).
+// A coordinate of a vertex where nothing clips errs by at most 33 roundoffs (2^-52) of the vertex's largest coordinate,
+// or 257 roundoffs of the largest coordinate of its difference to a point that is nearest, if that is more; where walls
+// clip, and in more than 3 dimensions, it is the nearest double. Cells that share a vertex share its bits. Areas,
+// centroids and normals are what follows from these vertices. Bits may depend on the order of points and cells and the
+// compiler's flags, but not on the number of tasks.
+//
+// Dimensions: all outputs in 2 and 3. Above, centroids, areas and normals are ARGUMENT, and the vertices of a face are
+// in no order, -1 last. Lower dimensions: points in a flat have cells that are unbounded, but for what clips them.
 PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const paradt_triangulation *triangulation,
                                                 const paradt_points *points, const paradt_voronoi_request *request,
                                                 const paradt_options *options);
@@ -1508,12 +1520,12 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
 //     Voronoi vertices             157   centres of cells, and their errors
-//     Voronoi faces                488   faces and volumes that nothing clips
+//     Voronoi faces                490   faces and volumes that nothing clips
 //     planes of a cell             329   where planes meet, in integers
 //     clipped cell                 550   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   252   volumes, areas, centroids
 //     clipping                     470   all cells that walls or infinity clip
-//     Voronoi                      628   the entry
+//     Voronoi                      634   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -25402,7 +25414,7 @@ typedef struct paradt__voronoi_wall {
     double scaled_normal[PARADT_MAX_DIM], scaled_offset; // the same plane in scaled coordinates
     int inexact;                                         // scaling lost bits
     int axis;                                            // of a bound of the box: its axis; else -1
-    int far;                                             // the box has no bound there
+    int distant;                                         // the box has no bound there
 } paradt__voronoi_wall;
 
 typedef struct paradt__diagram {
@@ -25432,7 +25444,7 @@ typedef struct paradt__halfspace {
     double normal[PARADT_MAX_DIM]; // each errs by a roundoff at most
     double offset, size;           // the offset errs by PARADT__OFFSET_ROUNDINGS roundoffs of `size` at most
     paradt_index side;             // a point; -1 - k: wall k
-    int far;                       // a far wall: its offset is M
+    int distant;                   // a far wall: its offset is M
 } paradt__halfspace;
 
 // A square of a difference has been rounded three times, the sum of d squares d - 1 times, and a difference of weights
@@ -25473,7 +25485,7 @@ PARADT__INLINE void paradt__diagram_bisector(const paradt__diagram *g, paradt_in
     h->offset *= 0.5;
     h->size = h->size * 0.5 + g->tiny;
     h->side = q;
-    h->far = 0;
+    h->distant = 0;
 }
 
 // Wall number `wall` as a plane of the cell of p
@@ -25491,9 +25503,9 @@ static void paradt__diagram_wall(const paradt__diagram *g, paradt_index p, size_
     h->size = wall->axis >= 0 ? paradt__abs(h->offset) : paradt__abs(wall->scaled_offset) + size;
     h->size += g->tiny;
     if (wall->inexact) h->size = HUGE_VAL;
-    if (wall->far) h->offset = 0, h->size = g->tiny;
+    if (wall->distant) h->offset = 0, h->size = g->tiny;
     h->side = -1 - (paradt_index)number;
-    h->far = wall->far;
+    h->distant = wall->distant;
 }
 
 // The plane of the cell of p that has a given side
@@ -25503,7 +25515,7 @@ static void paradt__diagram_plane(const paradt__diagram *g, paradt_index p, para
 }
 
 // The determinants of d + 1 columns, of which one is left out, by all minors. The last column is the offsets.
-static void paradt__diagram_minors(const paradt__halfspace *const *h, int d, int far, double *out, double *sizes) {
+static void paradt__diagram_minors(const paradt__halfspace *const *h, int d, int distant, double *out, double *sizes) {
     double minor[2 << PARADT_MAX_DIM], size[2 << PARADT_MAX_DIM];
     const unsigned all = (2u << d) - 1;
     unsigned mask, rest;
@@ -25518,8 +25530,8 @@ static void paradt__diagram_minors(const paradt__halfspace *const *h, int d, int
         for (rest = mask; rest; rest &= rest - 1) {
             unsigned bit = rest & (0 - rest);
             int column = paradt__trailing_zeros(rest);
-            double x = column < d ? row->normal[column] : far ? row->far : row->offset;
-            double y = column < d ? paradt__abs(x) : far ? row->far : row->size;
+            double x = column < d ? row->normal[column] : distant ? row->distant : row->offset;
+            double y = column < d ? paradt__abs(x) : distant ? row->distant : row->size;
             sum = x * minor[mask ^ bit] - sum;
             sum_of_sizes += y * size[mask ^ bit];
         }
@@ -25532,13 +25544,13 @@ static void paradt__diagram_minors(const paradt__halfspace *const *h, int d, int
     }
 }
 
-// Finds where d planes meet: y[d], and in y[d] a bound of the coordinates' error. far: of y = A + M B finds B instead
-// of A. Returns 0 where floating point has too few digits.
+// Finds where d planes meet: y[d], and in y[d] a bound of the coordinates' error. distant: of y = A + M B finds B
+// instead of A. Returns 0 where floating point has too few digits.
 //
 // A determinant is a sum of monomials, each of d entries. Each entry has been rounded once, an offset
 // PARADT__OFFSET_ROUNDINGS times relative to its size; then there are two roundings for d = 2, five for d = 3, and less
 // than d (d + 5) / 2 by minors. A hundredth more covers the higher orders and the rounding of the sizes.
-PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__halfspace *const *h, int d, int far,
+PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__halfspace *const *h, int d, int distant,
                                         double *y) {
     const int steps = d == 2 ? 2 : d == 3 ? 5 : d * (d + 5) / 2;
     const double det_factor = PARADT__ROUNDOFF * 1.01 * (d + steps);
@@ -25547,8 +25559,8 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
     int j;
     if (d == 2) {
         const double *a = h[0]->normal, *b = h[1]->normal;
-        double s = far ? h[0]->far : h[0]->offset, t = far ? h[1]->far : h[1]->offset;
-        double v = far ? s : h[0]->size, w = far ? t : h[1]->size;
+        double s = distant ? h[0]->distant : h[0]->offset, t = distant ? h[1]->distant : h[1]->offset;
+        double v = distant ? s : h[0]->size, w = distant ? t : h[1]->size;
         n[2] = a[0] * b[1] - a[1] * b[0];
         n[0] = s * b[1] - t * a[1];
         n[1] = a[0] * t - b[0] * s;
@@ -25561,8 +25573,8 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
         double o[3], v[3], m[3][3], s[3][3];
         int i;
         for (i = 0; i < 3; i++) {
-            o[i] = far ? h[i]->far : h[i]->offset;
-            v[i] = far ? o[i] : h[i]->size;
+            o[i] = distant ? h[i]->distant : h[i]->offset;
+            v[i] = distant ? o[i] : h[i]->size;
         }
         m[0][0] = b[1] * c[z] - b[z] * c[1], m[0][1] = b[z] * c[x] - b[x] * c[z], m[0][2] = b[x] * c[1] - b[1] * c[x];
         m[1][0] = c[1] * a[z] - c[z] * a[1], m[1][1] = c[z] * a[x] - c[x] * a[z], m[1][2] = c[x] * a[1] - c[1] * a[x];
@@ -25583,7 +25595,7 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
         n[d] = a[0] * m[0][0] + a[1] * m[0][1] + a[z] * m[0][2];
         size[d] = paradt__abs(a[0]) * s[0][0] + paradt__abs(a[1]) * s[0][1] + paradt__abs(a[z]) * s[0][2];
     } else {
-        paradt__diagram_minors(h, d, far, n, size);
+        paradt__diagram_minors(h, d, distant, n, size);
     }
     det = paradt__abs(n[d]);
     det_error = det_factor * size[d] + g->tiny;
@@ -25599,14 +25611,14 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
     }
     y[d] = (error + g->tiny + largest * det_error) / (det - det_error) * (1 + 16 * PARADT__ROUNDOFF) +
            2 * PARADT__ROUNDOFF * largest;
-    return y[d] <= 1024 * PARADT__ROUNDOFF * largest;
+    return y[d] <= 256 * PARADT__ROUNDOFF * largest;
 }
 
-// On which side of a plane is y, of which the error is known? 1: strictly outside, -1 strictly inside. far: of
+// On which side of a plane is y, of which the error is known? 1: strictly outside, -1 strictly inside. distant: of
 // y = A + M B only B is asked about.
 PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt__halfspace *h, const double *y, int d,
-                                         int far) {
-    double value = far ? 0 : -h->offset, size = far ? 0 : PARADT__OFFSET_ROUNDINGS(d) * h->size, sum = 0, error;
+                                         int distant) {
+    double value = distant ? 0 : -h->offset, size = distant ? 0 : PARADT__OFFSET_ROUNDINGS(d) * h->size, sum = 0, error;
     double reach = 1; // what underflow has made of a normal is multiplied by y
     int j;
     for (j = 0; j < d; j++) {
@@ -25812,7 +25824,7 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
         largest = paradt__larger(largest, paradt__abs(centre[i]));
     }
     centre[d] = y[d] + PARADT__ROUNDOFF * largest;
-    if (known || y[d] <= 8 * PARADT__ROUNDOFF * largest) return 1;
+    if (known || y[d] <= 32 * PARADT__ROUNDOFF * largest) return 1;
     return paradt__centre_exact(g, vertices, centre);
 }
 
@@ -25825,7 +25837,7 @@ PARADT__INLINE int paradt__centre_is_inside(const paradt__diagram *g, const doub
         const paradt__voronoi_wall *wall = g->walls + i;
         double x = centre[wall->axis];
         double room = i < (size_t)d ? x + wall->scaled_offset : wall->scaled_offset - x;
-        inside &= wall->far | (room > bound);
+        inside &= wall->distant | (room > bound);
     }
     for (; i < g->wall_count && inside; i++) {
         const paradt__voronoi_wall *wall = g->walls + i;
@@ -25974,13 +25986,14 @@ static int paradt__face_list_grow_one(paradt__face_list *list, void *array_of, s
 
 // Makes room for `more` faces.
 PARADT__NOINLINE paradt_status paradt__face_list_grow(paradt__face_list *list, size_t more) {
-    const unsigned measures = list->wants & PARADT_VORONOI_AREAS, rings = list->wants & PARADT_VORONOI_POLYGONS;
+    const unsigned normals = list->wants & PARADT_VORONOI_NORMALS, rings = list->wants & PARADT_VORONOI_POLYGONS;
     size_t capacity = list->count + more, vector = (size_t)list->d * sizeof(double);
     if (capacity < list->capacity + list->capacity / 2) capacity = list->capacity + list->capacity / 2;
     if (!paradt__face_list_grow_one(list, &list->sides, capacity, 2 * sizeof *list->sides)) return PARADT_ERROR_MEMORY;
-    if (measures && (!paradt__face_list_grow_one(list, &list->areas, capacity, sizeof(double)) ||
-                     !paradt__face_list_grow_one(list, &list->centroids, capacity, vector) ||
-                     !paradt__face_list_grow_one(list, &list->normals, capacity, vector)))
+    if (list->wants & PARADT_VORONOI_AREAS && !paradt__face_list_grow_one(list, &list->areas, capacity, sizeof(double)))
+        return PARADT_ERROR_MEMORY;
+    if (normals && (!paradt__face_list_grow_one(list, &list->centroids, capacity, vector) ||
+                    !paradt__face_list_grow_one(list, &list->normals, capacity, vector)))
         return PARADT_ERROR_MEMORY;
     if (rings && (!paradt__face_list_grow_one(list, &list->cell, capacity, sizeof *list->cell) ||
                   !paradt__face_list_grow_one(list, &list->edge, capacity, 1)))
@@ -26123,8 +26136,8 @@ PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index 
     int j;
     list->sides[2 * at] = p;
     list->sides[2 * at + 1] = q;
-    if (!(list->wants & PARADT_VORONOI_AREAS)) return;
-    list->areas[at] = measure / length;
+    if (list->wants & PARADT_VORONOI_AREAS) list->areas[at] = measure / length;
+    if (!(list->wants & PARADT_VORONOI_NORMALS)) return;
     for (j = 0; j < d; j++) {
         list->normals[at * (size_t)d + (size_t)j] = a[j] / length;
         list->centroids[at * (size_t)d + (size_t)j] = centroid[j];
@@ -26189,7 +26202,7 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
         list->edge[list->count] = (unsigned char)edge;
     }
     paradt__face_list_add(list, p, q, measure, normal,
-                          list->wants & PARADT_VORONOI_AREAS
+                          list->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)
                               ? sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
                               : 1,
                           where, 3);
@@ -26293,7 +26306,7 @@ PARADT__HOT void paradt__faces_task(void *context, size_t task) {
     paradt__facing *facing = (paradt__facing *)context;
     const paradt__diagram *g = facing->g;
     size_t chunk, step = facing->team->tasks;
-    int moments = (facing->wants & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS)) != 0;
+    int moments = (facing->wants & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_NORMALS)) != 0;
     paradt_status status = PARADT_OK;
     for (chunk = task; chunk < facing->chunks && !status; chunk += step) {
         size_t begin = g->cells / facing->chunks * chunk, slot = step == 1 ? 0 : chunk;
@@ -26314,8 +26327,8 @@ static paradt_status paradt__face_list_join(paradt__face_list *list, const parad
     paradt_status status = paradt__face_list_room(list, count);
     if (status || !count) return status;
     memcpy(list->sides + 2 * at, more->sides, 2 * count * sizeof *more->sides);
-    if (list->wants & PARADT_VORONOI_AREAS) {
-        memcpy(list->areas + at, more->areas, count * sizeof(double));
+    if (list->wants & PARADT_VORONOI_AREAS) memcpy(list->areas + at, more->areas, count * sizeof(double));
+    if (list->wants & PARADT_VORONOI_NORMALS) {
         memcpy(list->centroids + at * d, more->centroids, count * d * sizeof(double));
         memcpy(list->normals + at * d, more->normals, count * d * sizeof(double));
     }
@@ -26379,6 +26392,7 @@ static paradt_status paradt__faces_make(paradt__diagram *g, const paradt__team *
     memset(facing.done, 0, g->cells);
     for (i = 0; i < slots; i++) {
         facing.tally[i] = *total;
+        if (facing.chunks > 1) facing.tally[i].sums = NULL;
         if (facing.chunks > 1 && total->sums && !status) {
             facing.tally[i].sums = (double *)paradt__alloc(g->memory, bytes, 1);
             if (facing.tally[i].sums) memset(facing.tally[i].sums, 0, bytes);
@@ -26475,7 +26489,7 @@ static void paradt__exact_begin(paradt__exact_rows *rows, const paradt__diagram 
         if (planes[i]->side >= 0) continue;
         wall = paradt__exact_wall(rows, i);
         for (j = 0; j < d; j++) paradt__measure(&normal, wall->normal[j]);
-        if (!wall->far) paradt__measure(&offset, wall->offset);
+        if (!wall->distant) paradt__measure(&offset, wall->offset);
         v = normal.unit;
         if (offset.unit <= offset.top) v = paradt__min(v, offset.unit - rows->unit + 1);
         rows->wall_unit[i] = v;
@@ -26489,7 +26503,7 @@ static void paradt__exact_begin(paradt__exact_rows *rows, const paradt__diagram 
 // --- numbers that fit
 
 // Fills small integers. Returns 0 if they do not fit.
-static int paradt__exact_small(const paradt__exact_rows *rows, paradt__fixed *f, int far) {
+static int paradt__exact_small(const paradt__exact_rows *rows, paradt__fixed *f, int distant) {
     const paradt__diagram *g = rows->g;
     int d = g->d, i, j;
     uint64_t lost = 0;
@@ -26511,7 +26525,7 @@ static int paradt__exact_small(const paradt__exact_rows *rows, paradt__fixed *f,
                 m *= (paradt__wide)1 << shift;
                 offset += (paradt__bits(weight) >> 63) == (uint64_t)j ? m : -m;
             }
-            if (far) offset = 0;
+            if (distant) offset = 0;
         } else {
             const paradt__voronoi_wall *wall = paradt__exact_wall(rows, i);
             int shift, v = rows->wall_unit[i];
@@ -26520,12 +26534,12 @@ static int paradt__exact_small(const paradt__exact_rows *rows, paradt__fixed *f,
                 f->x[i][j] = x;
                 offset -= 2 * (paradt__wide)x * paradt__fix(rows->base[j], rows->unit, &lost);
             }
-            if (!wall->far) {
+            if (!wall->distant) {
                 paradt__wide m = (paradt__wide)paradt__mantissa(wall->offset, v + rows->unit - 1, &shift);
                 m *= (paradt__wide)1 << shift;
                 offset += paradt__bits(wall->offset) >> 63 ? -m : m;
             }
-            if (far || wall->far) offset = far && wall->far;
+            if (distant || wall->distant) offset = distant && wall->distant;
         }
         f->lift[i] = offset;
     }
@@ -26554,14 +26568,14 @@ static int paradt__exact_room(paradt__exact_work *work, size_t digits, size_t su
 }
 
 // Writes an offset, a number of `count` digits. scratch: for two numbers of `digits` digits
-static void paradt__exact_offset(const paradt__exact_rows *rows, int i, int far, paradt__digit *out, int count,
+static void paradt__exact_offset(const paradt__exact_rows *rows, int i, int distant, paradt__digit *out, int count,
                                  const paradt__digit *normal, int digits, paradt__digit *scratch, paradt__wide *sum) {
     const paradt__diagram *g = rows->g;
     const paradt__halfspace *plane = rows->plane[i];
-    int d = g->d, j, used = 8, is_far = plane->side < 0 && paradt__exact_wall(rows, i)->far;
+    int d = g->d, j, used = 8, is_far = plane->side < 0 && paradt__exact_wall(rows, i)->distant;
     paradt__clear_any(sum, count);
-    if (far || is_far) {
-        sum[0] = far && is_far;
+    if (distant || is_far) {
+        sum[0] = distant && is_far;
     } else if (plane->side >= 0) {
         for (j = 0; j < d; j++, normal += digits) {
             paradt__make_room(sum, count, &used, digits);
@@ -26589,7 +26603,7 @@ static void paradt__exact_offset(const paradt__exact_rows *rows, int i, int far,
 // offsets? Its digits are in the work's memory from `at` on. Returns how many of that memory are taken, 0: there is
 // none.
 static size_t paradt__exact_determinant(paradt__exact_work *work, const paradt__exact_rows *rows, int left_out,
-                                        int offsets, int far, size_t at, paradt__integer *out) {
+                                        int offsets, int distant, size_t at, paradt__integer *out) {
     const paradt__diagram *g = rows->g;
     int d = g->d, i, j, columns = d - (left_out >= 0), n = rows->n, place;
     paradt__determinant q = {0, 0, 0, 0, NULL, NULL};
@@ -26634,7 +26648,7 @@ static size_t paradt__exact_determinant(paradt__exact_work *work, const paradt__
             memcpy(to + place++ * y.digits, normals + j * y.digits, (size_t)y.digits * sizeof *to);
         }
         if (offsets)
-            paradt__exact_offset(rows, i, far, to + columns * y.digits, y.lift_digits, normals, y.digits,
+            paradt__exact_offset(rows, i, distant, to + columns * y.digits, y.lift_digits, normals, y.digits,
                                  normals + d * y.digits, work->sum);
     }
     m.rows = out_rows;
@@ -26649,14 +26663,14 @@ static size_t paradt__exact_determinant(paradt__exact_work *work, const paradt__
 // --- signs and places
 
 // The sign of the determinant of d + 1 planes
-static int paradt__exact_sign(paradt__exact_work *work, const paradt__exact_rows *rows, int far) {
+static int paradt__exact_sign(paradt__exact_work *work, const paradt__exact_rows *rows, int distant) {
     int d = rows->g->d;
     paradt__integer determinant;
     if (d * rows->bits + rows->offset_bits + paradt__log_factorial[d + 1] <= PARADT__WIDE_BITS) {
         paradt__fixed f;
-        if (paradt__exact_small(rows, &f, far)) return paradt__small_sign(&f, d + 1, d, d <= 3);
+        if (paradt__exact_small(rows, &f, distant)) return paradt__small_sign(&f, d + 1, d, d <= 3);
     }
-    if (!paradt__exact_determinant(work, rows, -1, 1, far, 0, &determinant)) return 0;
+    if (!paradt__exact_determinant(work, rows, -1, 1, distant, 0, &determinant)) return 0;
     return paradt__integer_sign(determinant);
 }
 
@@ -26665,18 +26679,18 @@ static int paradt__exact_sign(paradt__exact_work *work, const paradt__exact_rows
 PARADT__COLD int paradt__exact_above(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
                                      const paradt__halfspace *const *planes) {
     paradt__exact_rows rows;
-    int i, far = 0, sign = 0;
+    int i, distant = 0, sign = 0;
     paradt__exact_begin(&rows, g, p, g->d + 1, planes);
-    for (i = 0; i <= g->d; i++) far |= planes[i]->far;
-    if (far) sign = paradt__exact_sign(work, &rows, 1);
+    for (i = 0; i <= g->d; i++) distant |= planes[i]->distant;
+    if (distant) sign = paradt__exact_sign(work, &rows, 1);
     if (!sign) sign = paradt__exact_sign(work, &rows, 0);
     return -sign;
 }
 
-// Finds where d planes meet. far: of y = A + M B finds B. Fills y[d], each the double nearest to the true one: of y in
-// scaled coordinates, or with `absolute` of p + y as the caller counts. Fills y[d] with a bound of the error.
+// Finds where d planes meet. distant: of y = A + M B finds B. Fills y[d], each the double nearest to the true one: of y
+// in scaled coordinates, or with `absolute` of p + y as the caller counts. Fills y[d] with a bound of the error.
 PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
-                                     const paradt__halfspace *const *planes, int far, int absolute, double *y) {
+                                     const paradt__halfspace *const *planes, int distant, int absolute, double *y) {
     paradt__exact_rows rows;
     paradt__integer determinant, numerator;
     int d = g->d, j, digits;
@@ -26686,12 +26700,12 @@ PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__dia
     digits = paradt__digit_count(rows.bits);
     for (j = 0; j <= d; j++) y[j] = 0;
     // the first call makes the room: of a numerator, which is longer than the determinant
-    if (!paradt__exact_determinant(work, &rows, d - 1, 1, far, 0, &numerator)) return;
-    used = paradt__exact_determinant(work, &rows, -1, 0, far, 0, &determinant);
+    if (!paradt__exact_determinant(work, &rows, d - 1, 1, distant, 0, &numerator)) return;
+    used = paradt__exact_determinant(work, &rows, -1, 0, distant, 0, &determinant);
     if (!used || !paradt__integer_sign(determinant)) return;
     for (j = 0; j < d; j++) {
         paradt__quotient quotient;
-        more = paradt__exact_determinant(work, &rows, j, 1, far, used, &numerator);
+        more = paradt__exact_determinant(work, &rows, j, 1, distant, used, &numerator);
         PARADT_ASSERT(more);
         if (!more) return;
         if ((d - 1 - j) & 1 || absolute) { // N_j, and 2^(1 - u) p_j times the determinant
@@ -26717,7 +26731,7 @@ PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__dia
         quotient.b = determinant;
         quotient.a_sign = paradt__integer_sign(numerator);
         quotient.b_sign = paradt__integer_sign(determinant);
-        quotient.exponent = far ? 0 : rows.unit - 1 - (absolute ? 0 : g->shift);
+        quotient.exponent = distant ? 0 : rows.unit - 1 - (absolute ? 0 : g->shift);
         quotient.work = work->digits + more;
         quotient.sum = work->sum;
         y[j] = quotient.a_sign ? paradt__quotient_round(&quotient) : 0;
@@ -26753,8 +26767,8 @@ typedef struct paradt__convex {
     paradt__insertion build;   // its mesh is the boundary's dual; rim and update are those of the last plane
     paradt__halfspace *planes; // [plane_capacity]
     size_t plane_count, plane_capacity;
-    double *places;     // [place_capacity][2 (d + 1)] of vertices: A and its error, B and its error
-    unsigned char *far; // [place_capacity] 1: the vertex is on a far wall, and B is there
+    double *places;         // [place_capacity][2 (d + 1)] of vertices: A and its error, B and its error
+    unsigned char *distant; // [place_capacity] 1: the vertex is on a far wall, and B is there
     size_t place_capacity;
     paradt__exact_work exact;
     int empty; // nothing is left
@@ -26785,7 +26799,7 @@ static void paradt__convex_free(paradt__convex *c) {
     paradt__release(c->memory, c->build.update.made);
     paradt__release(c->memory, c->planes);
     paradt__release(c->memory, c->places);
-    paradt__release(c->memory, c->far);
+    paradt__release(c->memory, c->distant);
     paradt__release(c->memory, c->same);
     paradt__release(c->memory, c->entry);
     paradt__release(c->memory, c->real);
@@ -26806,7 +26820,7 @@ PARADT__INLINE const paradt__halfspace *paradt__convex_plane(const paradt__conve
 static paradt_status paradt__convex_room(paradt__convex *c, size_t count) {
     paradt__mesh *mesh = &c->build.scene.mesh;
     paradt_status status = PARADT_OK;
-    void *places = c->places, *far = c->far;
+    void *places = c->places, *distant = c->distant;
     size_t capacity, used = mesh->count, row = 2 * (size_t)(c->d + 1) * sizeof(double);
     if (count > mesh->capacity) status = paradt__mesh_reserve(mesh, count, count + count / 2 + 64, c->memory);
     if (status || mesh->capacity <= c->place_capacity) return status;
@@ -26814,8 +26828,8 @@ static paradt_status paradt__convex_room(paradt__convex *c, size_t count) {
     if (used > c->place_capacity) used = c->place_capacity;
     if (!paradt__grow(c->memory, &places, used, capacity, row)) return PARADT_ERROR_MEMORY;
     c->places = (double *)places;
-    if (!paradt__grow(c->memory, &far, used, capacity, 1)) return PARADT_ERROR_MEMORY;
-    c->far = (unsigned char *)far;
+    if (!paradt__grow(c->memory, &distant, used, capacity, 1)) return PARADT_ERROR_MEMORY;
+    c->distant = (unsigned char *)distant;
     c->place_capacity = capacity;
     return PARADT_OK;
 }
@@ -26834,14 +26848,14 @@ static paradt_status paradt__convex_plane_room(paradt__convex *c) {
 PARADT__INLINE void paradt__convex_find(paradt__convex *c, size_t vertex, int d) {
     const paradt__halfspace *h[PARADT_MAX_DIM];
     double *y = paradt__convex_place(c, vertex);
-    int i, far = 0;
+    int i, distant = 0;
     for (i = 0; i < d; i++) {
         h[i] = paradt__convex_plane(c, vertex, i);
-        far |= h[i]->far;
+        distant |= h[i]->distant;
     }
-    c->far[vertex] = (unsigned char)far;
+    c->distant[vertex] = (unsigned char)distant;
     if (!paradt__diagram_meet(c->g, h, d, 0, y)) paradt__exact_meet(&c->exact, c->g, c->p, h, 0, 0, y);
-    if (far && !paradt__diagram_meet(c->g, h, d, 1, y + d + 1))
+    if (distant && !paradt__diagram_meet(c->g, h, d, 1, y + d + 1))
         paradt__exact_meet(&c->exact, c->g, c->p, h, 1, 0, y + d + 1);
 }
 
@@ -26849,8 +26863,8 @@ PARADT__INLINE void paradt__convex_find(paradt__convex *c, size_t vertex, int d)
 PARADT__INLINE int paradt__convex_above(paradt__convex *c, size_t vertex, const paradt__halfspace *plane, int d) {
     const double *y = paradt__convex_place(c, vertex);
     const paradt__halfspace *h[PARADT_MAX_DIM + 1];
-    int i, sign = c->far[vertex] ? paradt__diagram_above(c->g, plane, y + d + 1, d, 1)
-                                 : paradt__diagram_above(c->g, plane, y, d, 0);
+    int i, sign = c->distant[vertex] ? paradt__diagram_above(c->g, plane, y + d + 1, d, 1)
+                                     : paradt__diagram_above(c->g, plane, y, d, 0);
     if (PARADT__LIKELY(sign != PARADT__UNDECIDED)) return sign;
     for (i = 0; i < d; i++) h[i] = paradt__convex_plane(c, vertex, i);
     h[d] = plane;
@@ -26926,7 +26940,7 @@ PARADT__INLINE paradt_status paradt__convex_star(paradt__convex *c, paradt_index
     mesh->spare_count = 0;
     mesh->count = count;
     memset(mesh->marks, 0, count);
-    memset(c->far, 0, count);
+    memset(c->distant, 0, count);
     memset(c->local, -1, 2 * (mask + 1) * sizeof *c->local);
     for (i = 0; i < count; i++) { // numbers, planes, places
         const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
@@ -27072,8 +27086,8 @@ static int paradt__convex_coincide(paradt__convex *c, size_t vertex, int place) 
     const double *a = paradt__convex_place(c, vertex), *b = paradt__convex_place(c, other);
     const paradt__halfspace *h[PARADT_MAX_DIM + 1];
     int i;
-    if (c->far[vertex] != c->far[other]) return 0;
-    if (c->far[vertex] ? paradt__centres_differ(a + d + 1, b + d + 1, c->d) : paradt__centres_differ(a, b, c->d))
+    if (c->distant[vertex] != c->distant[other]) return 0;
+    if (c->distant[vertex] ? paradt__centres_differ(a + d + 1, b + d + 1, c->d) : paradt__centres_differ(a, b, c->d))
         return 0;
     for (i = 0; i < c->d; i++) h[i] = paradt__convex_plane(c, vertex, i);
     h[d] = c->planes + mesh->vertices[link];
@@ -27256,7 +27270,7 @@ static paradt_status paradt__convex_settle(paradt__convex *c) {
     for (i = 0; i < mesh->count; i++) {
         if (mesh->vertices[i * d] == PARADT__DEAD) continue;
         different += c->same[i] == (paradt_index)i;
-        c->unbounded |= c->far[i];
+        c->unbounded |= c->distant[i];
     }
     for (plane = 0; plane < c->plane_count; plane++) c->real[plane] = c->entry[plane] >= 0;
     if (!c->merged) return PARADT_OK;
@@ -27312,7 +27326,7 @@ static void paradt__convex_measure_face(const paradt__convex *c, paradt_index pl
     const double *first = paradt__convex_place(c, (size_t)(entry / d));
     double a[3] = {0}, b[3] = {0}, o[3] = {0}, area[3] = {0}, sum[3] = {0}, along = 0, square = 0, size = 0, error = 0;
     double arm = 0, step, parts;
-    int j, corners = 0, far = 0;
+    int j, corners = 0, distant = 0;
     for (j = 0; j < d; j++) {
         o[j] = first[j] - apex[j];
         arm = paradt__larger(arm, paradt__abs(o[j]));
@@ -27323,7 +27337,7 @@ static void paradt__convex_measure_face(const paradt__convex *c, paradt_index pl
     do {
         const double *place = paradt__convex_place(c, (size_t)(at / d));
         double cross[3] = {0}, part, cone;
-        far |= c->far[at / d];
+        distant |= c->distant[at / d];
         for (j = 0; j < d; j++) {
             b[j] = place[j] - first[j];
             size = paradt__larger(size, paradt__abs(b[j]));
@@ -27361,10 +27375,10 @@ static void paradt__convex_measure_face(const paradt__convex *c, paradt_index pl
         double turn = parts * (4 * size * step + 2 * step * step + (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
         face->error = 3 * (arm + 2 * error) * turn + 6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
     }
-    face->measure = far ? HUGE_VAL : paradt__abs(along) / (d == 2 ? sqrt(square) : 2 * sqrt(square));
+    face->measure = distant ? HUGE_VAL : paradt__abs(along) / (d == 2 ? sqrt(square) : 2 * sqrt(square));
     for (j = 0; j < d; j++) {
         double fan = along > 0 || along < 0 ? sum[j] / ((d == 2 ? 2 : 3) * along) : 0;
-        face->centroid[j] = far ? NAN : first[j] + fan;
+        face->centroid[j] = distant ? NAN : first[j] + fan;
     }
 }
 
@@ -27615,7 +27629,7 @@ static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
                                ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
                                : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
     for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++)
-        if (!g->walls[wall].far) status = paradt__convex_clip_by_wall(c, wall);
+        if (!g->walls[wall].distant) status = paradt__convex_clip_by_wall(c, wall);
     *done = !c->tied;
     return !status && *done ? paradt__convex_settle(c) : status;
 }
@@ -27682,7 +27696,7 @@ static paradt_status paradt__clip_name(paradt__clipper *clipper, size_t vertex, 
     double y[PARADT_MAX_DIM + 1];
     size_t i;
     *name = -1;
-    if (c->far[vertex]) return PARADT_OK;
+    if (c->distant[vertex]) return PARADT_OK;
     for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && g->centred; i++) {
         if (!paradt__clip_is_centre(c, vertex, clipping->around[i])) continue;
         *name = clipping->around[i];
@@ -27731,7 +27745,7 @@ static paradt_status paradt__clip_corners(paradt__clipper *clipper, size_t plane
     paradt__list *list = &clipper->clipping->corners[clipper->task].corners;
     size_t counted = list->count, i, d = (size_t)c->d;
     paradt_index entry = c->entry[plane], at = entry, last = PARADT__NOWHERE;
-    int far = 0;
+    int distant = 0;
     paradt_status status = paradt__list_append(list, 0, clipper->memory);
     if (d <= 3) {
         do {
@@ -27745,8 +27759,8 @@ static paradt_status paradt__clip_corners(paradt__clipper *clipper, size_t plane
         for (i = 0; i < mesh->count * d && !status; i++) {
             size_t vertex = i / d;
             if (mesh->vertices[vertex * d] == PARADT__DEAD || mesh->vertices[i] != (paradt_index)plane) continue;
-            if (c->far[vertex]) {
-                far = 1;
+            if (c->distant[vertex]) {
+                distant = 1;
                 continue;
             }
             if (c->same[vertex] == (paradt_index)vertex)
@@ -27757,7 +27771,7 @@ static paradt_status paradt__clip_corners(paradt__clipper *clipper, size_t plane
                 if (j == list->count) status = paradt__list_append(list, clipper->names[vertex], clipper->memory);
             }
         }
-        if (far && !status) status = paradt__list_append(list, -1, clipper->memory);
+        if (distant && !status) status = paradt__list_append(list, -1, clipper->memory);
     }
     if (!status) list->items[counted] = (paradt_index)(list->count - counted - 1);
     return status;
@@ -27776,7 +27790,7 @@ static paradt_status paradt__clip_list(paradt__clipper *clipper) {
     for (plane = 0; plane < c->plane_count && !status; plane++) {
         const paradt__halfspace *h = c->planes + plane;
         paradt_index at;
-        if (c->entry[plane] < 0 || !c->real[plane] || h->far) continue;
+        if (c->entry[plane] < 0 || !c->real[plane] || h->distant) continue;
         if (h->side >= 0 && (h->side < c->p || !(g->kind[h->side] & PARADT__CELL_CLIPPED))) continue;
         status = paradt__face_list_room(list, 1);
         if (!status && !named && clipping->wants & PARADT_VORONOI_POLYGONS)
@@ -27785,13 +27799,13 @@ static paradt_status paradt__clip_list(paradt__clipper *clipper) {
         at = (paradt_index)list->count++;
         list->sides[2 * at] = c->p;
         list->sides[2 * at + 1] = h->side;
-        if (clipping->wants & PARADT_VORONOI_AREAS) {
+        if (clipping->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)) {
             paradt__convex_face face;
             double square = 0;
             paradt__convex_measure_face(c, (paradt_index)plane, origin, &face);
-            list->areas[at] = face.measure;
+            if (clipping->wants & PARADT_VORONOI_AREAS) list->areas[at] = face.measure;
             for (j = 0; j < d; j++) square += h->normal[j] * h->normal[j];
-            for (j = 0; j < d; j++) {
+            for (j = 0; j < d && clipping->wants & PARADT_VORONOI_NORMALS; j++) {
                 list->normals[(size_t)at * d + j] = h->normal[j] / sqrt(square);
                 list->centroids[(size_t)at * d + j] = base[j] + face.centroid[j];
             }
@@ -28020,6 +28034,12 @@ typedef struct paradt__voronoi_work {
     uint32_t reported[4];
 } paradt__voronoi_work;
 
+// Outputs for which there have to be faces
+enum {
+    PARADT__VORONOI_ANY_FACE =
+        PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS | PARADT_VORONOI_NORMALS
+};
+
 enum { PARADT__VORONOI_CENTRES, PARADT__VORONOI_FACES, PARADT__VORONOI_CLIPS, PARADT__VORONOI_ENDS };
 
 static paradt__team paradt__voronoi_team(paradt__voronoi_work *work, int step) {
@@ -28043,7 +28063,7 @@ static int paradt__voronoi_is_number(double x) {
 static const char *paradt__voronoi_fault(const paradt_triangulation *t, const paradt_points *points,
                                          const paradt_voronoi_request *request) {
     const unsigned all = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_FACES |
-                         PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+                         PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS | PARADT_VORONOI_NORMALS;
     size_t i, d = (size_t)points->dim;
     if (!t) return "triangulation is NULL";
     if (t->point_count != points->count) return "points.count is not that of the triangulation";
@@ -28052,8 +28072,8 @@ static const char *paradt__voronoi_fault(const paradt_triangulation *t, const pa
         return "triangulation.cells or neighbors is NULL; PARADT_NO_NEIGHBORS gives none";
     if (!request) return NULL;
     if (request->outputs & ~all) return "request.outputs has a bit that means nothing";
-    if (d > 3 && request->outputs & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS))
-        return "request.outputs has centroids or areas, which are there in two and three dimensions";
+    if (d > 3 && request->outputs & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS))
+        return "request.outputs has centroids, areas or normals, which are there in two and three dimensions";
     if (request->plane_count && !request->planes) return "request.planes is NULL, but plane_count is not 0";
     for (i = 0; i < 2 * d && request->box; i++) {
         double bound = request->box[i];
@@ -28102,9 +28122,10 @@ static paradt_status paradt__voronoi_walls(paradt__voronoi_work *work, const par
             if ((size_t)g->set.axes[j] == i % d) wall->axis = j;
         }
         wall->normal[wall->axis] = i < d ? -1 : 1;
-        wall->far = !request || !request->box || !paradt__is_finite(request->box[i]);
-        if (!wall->far) wall->offset = i < d ? -request->box[i] : request->box[i];
-        if (i >= d && !wall->far && !g->walls[i - d].far && request->box[i - d] > request->box[i]) g->nothing = 1;
+        wall->distant = !request || !request->box || !paradt__is_finite(request->box[i]);
+        if (!wall->distant) wall->offset = i < d ? -request->box[i] : request->box[i];
+        if (i >= d && !wall->distant && !g->walls[i - d].distant && request->box[i - d] > request->box[i])
+            g->nothing = 1;
     }
     for (i = 0; i < d; i++)
         for (j = 0; j < (int)i; j++) g->odd ^= g->walls[j].axis > g->walls[i].axis;
@@ -28121,7 +28142,7 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
         const paradt__voronoi_wall *wall = g->walls + i;
         int largest = -4000;
         for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
-        if (!wall->far) top = paradt__max(top, paradt__voronoi_top(wall->offset) - largest + 1);
+        if (!wall->distant) top = paradt__max(top, paradt__voronoi_top(wall->offset) - largest + 1);
     }
     top = paradt__min(top, 1100);
     g->shift = top < -4000 || (top >= -20 && top <= 40) ? 0 : top;
@@ -28151,8 +28172,8 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
 // --- reading
 
 // Reads the triangulation and its points.
-static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
-                                          const paradt_points *points, size_t *bad) {
+PARADT__HOT paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                               const paradt_points *points, size_t *bad) {
     paradt__diagram *g = &work->g;
     paradt__mesh mesh;
     paradt_status status = PARADT_OK;
@@ -28185,7 +28206,7 @@ static paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const para
 
 static void *paradt__voronoi_array(paradt__voronoi_work *work, size_t count, size_t size, paradt_status *status) {
     void *array = *status ? NULL : paradt__alloc_filled(&work->memory, count, size);
-    if (!array) *status = PARADT_ERROR_MEMORY;
+    if (!*status && !array) *status = PARADT_ERROR_MEMORY;
     return array;
 }
 
@@ -28283,16 +28304,15 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     list->areas = list->centroids = list->normals = NULL;
     for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
         if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
-    if (out->areas && (g->shift || g->k < g->d)) {
-        for (i = 0; i < out->face_count; i++) {
-            double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
-            out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
-            memcpy(centroid, out->face_centroids + i * d, d * sizeof(double));
-            memcpy(normal, out->normals + i * d, d * sizeof(double));
-            for (j = 0; j < d; j++) {
-                out->normals[i * d + (size_t)g->set.axes[j]] = normal[j];
-                out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__voronoi_unscaled(g, centroid[j], 1);
-            }
+    for (i = 0; i < out->face_count && out->areas && g->shift; i++)
+        out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
+    for (i = 0; i < out->face_count && out->normals && (g->shift || g->k < g->d); i++) {
+        double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
+        memcpy(centroid, out->face_centroids + i * d, d * sizeof(double));
+        memcpy(normal, out->normals + i * d, d * sizeof(double));
+        for (j = 0; j < d; j++) {
+            out->normals[i * d + (size_t)g->set.axes[j]] = normal[j];
+            out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__voronoi_unscaled(g, centroid[j], 1);
         }
     }
     return paradt__voronoi_incidence(work, out);
@@ -28302,7 +28322,7 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
 PARADT__HOT paradt_status paradt__voronoi_clip(paradt__voronoi_work *work) {
     paradt__diagram *g = &work->g;
     paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CLIPS);
-    const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    const unsigned faces = PARADT__VORONOI_ANY_FACE;
     unsigned char *again = (unsigned char *)paradt__alloc(&work->memory, g->set.count, 1);
     size_t i;
     paradt_status status;
@@ -28507,13 +28527,13 @@ PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, p
     return status;
 }
 
-static paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const paradt_triangulation *t,
-                                         const paradt_points *points, const paradt_voronoi_request *request,
-                                         paradt_voronoi *out) {
+PARADT__HOT paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                              const paradt_points *points, const paradt_voronoi_request *request,
+                                              paradt_voronoi *out) {
     paradt__diagram *g = &work->g;
     paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CENTRES);
     const unsigned measures = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS;
-    const unsigned faces = PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS;
+    const unsigned faces = PARADT__VORONOI_ANY_FACE;
     paradt_status status = paradt__voronoi_read(work, t, points, &out->error_point);
     if (!status) status = paradt__voronoi_walls(work, request);
     if (!status) status = paradt__voronoi_scale(work);

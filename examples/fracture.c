@@ -47,7 +47,7 @@ static void put_face(const paradt_voronoi *v, size_t face, size_t piece, FILE *o
 int main(void) {
     static const double box[6] = {0, 0, 0, 1, 1, 1}, blow[3] = {0.9, 0.1, 0.9};
     const paradt_points points = paradt_points_f64(sites[0], PIECES, 3);
-    const paradt_voronoi_request want = {PARADT_VORONOI_VOLUMES | PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS |
+    const paradt_voronoi_request want = {PARADT_VORONOI_VOLUMES | PARADT_VORONOI_FACES | PARADT_VORONOI_NORMALS |
                                              PARADT_VORONOI_POLYGONS, box, NULL, 0};
     paradt_triangulation t;
     paradt_voronoi v;

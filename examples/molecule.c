@@ -57,7 +57,7 @@ static void draw(FILE *svg, const paradt_voronoi *v, size_t face, size_t atom) {
 }
 
 int main(void) {
-    const paradt_voronoi_request want = {PARADT_VORONOI_VOLUMES | PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS |
+    const paradt_voronoi_request want = {PARADT_VORONOI_VOLUMES | PARADT_VORONOI_FACES | PARADT_VORONOI_NORMALS |
                                              PARADT_VORONOI_POLYGONS, NULL, NULL, 0};
     paradt_points spheres;
     paradt_triangulation t;
