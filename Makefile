@@ -18,7 +18,7 @@ PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
-.PHONY: all run check test bench thesis study theory lib clean help test-programs test-list
+.PHONY: all run examples check test bench thesis study theory lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -39,6 +39,16 @@ run: $(BUILD)/paradt ## Triangulate and certify a star cluster of 100,000 points
 	$(BUILD)/paradt --jobs $(JOBS) --check --stats - $(addprefix -o ,$(RUN_OUTPUTS)) $(RUN_INPUT)
 	@echo "Certified. Written: $(RUN_OUTPUTS) (ParaView opens the first, any image viewer the second)."
 
+# Each is a program of one file. They are run in the folder that they write their pictures to.
+EXAMPLES := $(patsubst examples/%.c,$(BUILD)/examples/%,$(filter-out examples/paradt%,$(wildcard examples/*.c)))
+
+examples: $(EXAMPLES) ## Build and run the examples; their pictures go to build/examples/
+	@for e in $(notdir $(EXAMPLES)); do echo "$$e:" && (cd $(BUILD)/examples && ./$$e) || exit 1; done
+
+$(BUILD)/examples/%: examples/%.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -o $@ $< -lm
+
 # --- tests -----------------------------------------------------------------------------------------------------------
 # tests/*.c are cmocka programs, tests/*.sh print TAP lines. tests/setup.sh installs what it can and writes HAVE_... lines. Tests
 # that need what is still missing are skipped and say why.
@@ -53,21 +63,24 @@ C_TESTS      := $(sort $(wildcard tests/*.c))
 NO_TESTS     := tests/run.sh tests/setup.sh
 SHELL_TESTS  := $(filter-out $(NO_TESTS),$(sort $(wildcard tests/*.sh)))
 FUZZERS      := $(sort $(wildcard fuzz/*.c))
-# Test programs that include cgal.h need CGAL; those that include gmp.h or one of these other headers need GMP.
+# Test programs that include cgal.h need CGAL, those that include voro.h Voro++, and those that include gmp.h or one of these
+# other headers GMP.
 NEEDS_CGAL   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]cgal\.h' $(C_TESTS)))
+NEEDS_VORO   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]voro\.h' $(C_TESTS)))
 NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle|verify|harness)\.h' $(C_TESTS)))
-# These run the whole library under the sanitizers. Left out are the comparison with CGAL, whose code is not to be tested, and a
-# program that only compares the cells of thousands of triangulations. Two programs have threads.
-SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c,$(C_TESTS))
-RACES        := tests/methods_agree.c tests/lifted_hull.c
+# These run the whole library under the sanitizers. Left out are the comparisons with CGAL and Voro++, whose code is not to be
+# tested, and a program that only compares the cells of thousands of triangulations. These programs have threads.
+SANITIZED    := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/definition.c,$(C_TESTS))
+RACES        := tests/locator.c tests/methods_agree.c tests/lifted_hull.c
 # `make check` runs these, and the shell tests in part where they know QUICK.
-QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) tests/lifted_hull.c tests/optimality.c tests/resources.c,$(C_TESTS))
+QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/lifted_hull.c tests/optimality.c tests/resources.c,$(C_TESTS))
 QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
 QUICK_ASAN   := $(filter tests/check.c tests/input.c,$(C_TESTS))
 # Tests of the library's internals contain the implementation. The others share one object of it, built with the same flags.
 OPAQUE       := $(if $(C_TESTS),$(shell grep -L '^ *# *define *PARADT_IMPLEMENTATION' $(C_TESTS)))
 
 missing = $(strip $(if $(HAVE_CMOCKA),,libcmocka-dev) $(if $(filter $1,$(NEEDS_GMP)),$(if $(HAVE_GMP),,libgmp-dev)) \
+          $(if $(filter $1,$(NEEDS_VORO)),$(if $(HAVE_VORO),,voro++-dev)) \
           $(if $(filter $1,$(NEEDS_CGAL)),$(if $(HAVE_CGAL),,libcgal-dev libeigen3-dev)))
 ready   = $(foreach t,$1,$(if $(call missing,$t),,$t))
 program = $(patsubst tests/%.c,$(T)/%,$1)
@@ -120,6 +133,16 @@ $(call program,$(NEEDS_CGAL)): $(T)/%: tests/%.c $(CGAL_OBJECTS)
 	@rm -f $@
 	$(CC) -O2 $(TRACES) $(ASSERTS) $(WARNINGS) $(DEPENDS) -I. -Itests -c -o $@.o $<
 	$(CXX) -o $@ $@.o $(filter %.o,$^) -pthread -lcmocka -lmpfr -lgmp -lm
+
+$(call program,$(NEEDS_VORO)): $(T)/%: tests/%.c $(T)/voro.o
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(CC) -O2 $(TRACES) $(ASSERTS) $(WARNINGS) $(DEPENDS) -I. -Itests -c -o $@.o $<
+	$(CXX) -o $@ $@.o $(filter %.o,$^) -pthread -lcmocka -lvoro++ $(GMP_LIBRARY) -lm
+
+$(T)/voro.o: tests/voro.cc
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) $(DEPENDS) -I. -Itests -c -o $@ $<
 
 # CGAL's interval arithmetic needs -frounding-math. Without NDEBUG CGAL would check its own results.
 $(T)/cgal_%.o: tests/cgal_%.cc
@@ -208,4 +231,4 @@ clean: ## Remove everything that was built
 help: ## List these targets
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{ printf "%-12s %s\n", $$1, $$2 }'
 
--include $(wildcard $(BUILD)/*.d $(BUILD)/bench/*.d $(T)/*.d $(T)/*/*.d)
+-include $(wildcard $(BUILD)/*.d $(BUILD)/examples/*.d $(BUILD)/bench/*.d $(T)/*.d $(T)/*/*.d)

@@ -48,6 +48,9 @@
 //     PARADT_NO_TREE         leaves out PARADT_DELAUNAY_TREE
 //     PARADT_NO_HULLS        leaves out PARADT_LIFTED_HULL, furthest-site triangulations and convex hulls
 //     PARADT_NO_MEASURES     leaves out paradt_circumsphere, paradt_enclosing_sphere and what goes with them
+//     PARADT_NO_LOCATOR      leaves out locate, nearest and the other queries
+//     PARADT_NO_DYNAMIC      leaves out living sets
+//     PARADT_NO_VORONOI      leaves out Voronoi diagrams
 //     PARADT_NO_CHECK        leaves out paradt_check and paradt_hull_check
 //     PARADT_NO_REGIONS      leaves out divided space: all points are one region, whatever options.regions asks for.
 //                            Not with paradt_mpi.h
@@ -579,37 +582,68 @@ extern "C" {
 #define PARADT__IS_INDEX64
 typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
 // The functions have other names, so that the linker refuses files that differ in PARADT_INDEX64.
-#define paradt_points_f64         paradt_points_f64_64
-#define paradt_points_f32         paradt_points_f32_64
-#define paradt_triangulate        paradt_triangulate_64
-#define paradt_memory_estimate    paradt_memory_estimate_64
-#define paradt_repair             paradt_repair_64
-#define paradt_free               paradt_free_64
-#define paradt_hull_compute       paradt_hull_compute_64
-#define paradt_hull_free          paradt_hull_free_64
-#define paradt_hull_check         paradt_hull_check_64
-#define paradt_hull_hash          paradt_hull_hash_64
-#define paradt_version            paradt_version_64
-#define paradt_status_string      paradt_status_string_64
-#define paradt_method_string      paradt_method_string_64
-#define paradt_check              paradt_check_64
-#define paradt_hash               paradt_hash_64
-#define paradt_hash_cell          paradt_hash_cell_64
-#define paradt_orient             paradt_orient_64
-#define paradt_insphere           paradt_insphere_64
-#define paradt_insphere_perturbed paradt_insphere_perturbed_64
-#define paradt_orient2            paradt_orient2_64
-#define paradt_orient3            paradt_orient3_64
-#define paradt_insphere2          paradt_insphere2_64
-#define paradt_insphere3          paradt_insphere3_64
-#define paradt_orient2f           paradt_orient2f_64
-#define paradt_orient3f           paradt_orient3f_64
-#define paradt_insphere2f         paradt_insphere2f_64
-#define paradt_insphere3f         paradt_insphere3f_64
-#define paradt_circumsphere       paradt_circumsphere_64
-#define paradt_enclosing_sphere   paradt_enclosing_sphere_64
-#define paradt_is_self_centred    paradt_is_self_centred_64
-#define paradt_volume             paradt_volume_64
+#define paradt_points_f64             paradt_points_f64_64
+#define paradt_points_f32             paradt_points_f32_64
+#define paradt_triangulate            paradt_triangulate_64
+#define paradt_memory_estimate        paradt_memory_estimate_64
+#define paradt_repair                 paradt_repair_64
+#define paradt_free                   paradt_free_64
+#define paradt_hull_compute           paradt_hull_compute_64
+#define paradt_hull_free              paradt_hull_free_64
+#define paradt_hull_check             paradt_hull_check_64
+#define paradt_hull_hash              paradt_hull_hash_64
+#define paradt_version                paradt_version_64
+#define paradt_status_string          paradt_status_string_64
+#define paradt_method_string          paradt_method_string_64
+#define paradt_check                  paradt_check_64
+#define paradt_hash                   paradt_hash_64
+#define paradt_hash_cell              paradt_hash_cell_64
+#define paradt_orient                 paradt_orient_64
+#define paradt_insphere               paradt_insphere_64
+#define paradt_insphere_perturbed     paradt_insphere_perturbed_64
+#define paradt_orient2                paradt_orient2_64
+#define paradt_orient3                paradt_orient3_64
+#define paradt_insphere2              paradt_insphere2_64
+#define paradt_insphere3              paradt_insphere3_64
+#define paradt_orient2f               paradt_orient2f_64
+#define paradt_orient3f               paradt_orient3f_64
+#define paradt_insphere2f             paradt_insphere2f_64
+#define paradt_insphere3f             paradt_insphere3f_64
+#define paradt_circumsphere           paradt_circumsphere_64
+#define paradt_enclosing_sphere       paradt_enclosing_sphere_64
+#define paradt_is_self_centred        paradt_is_self_centred_64
+#define paradt_volume                 paradt_volume_64
+#define paradt_locator_create         paradt_locator_create_64
+#define paradt_locator_free           paradt_locator_free_64
+#define paradt_locate                 paradt_locate_64
+#define paradt_nearest                paradt_nearest_64
+#define paradt_locate_one             paradt_locate_one_64
+#define paradt_nearest_one            paradt_nearest_one_64
+#define paradt_nearest_some           paradt_nearest_some_64
+#define paradt_within                 paradt_within_64
+#define paradt_along                  paradt_along_64
+#define paradt_work_free              paradt_work_free_64
+#define paradt_adjacency_compute      paradt_adjacency_compute_64
+#define paradt_adjacency_free         paradt_adjacency_free_64
+#define paradt_dynamic_create         paradt_dynamic_create_64
+#define paradt_dynamic_free           paradt_dynamic_free_64
+#define paradt_dynamic_insert         paradt_dynamic_insert_64
+#define paradt_dynamic_remove         paradt_dynamic_remove_64
+#define paradt_dynamic_move           paradt_dynamic_move_64
+#define paradt_dynamic_insert_points  paradt_dynamic_insert_points_64
+#define paradt_dynamic_remove_points  paradt_dynamic_remove_points_64
+#define paradt_dynamic_move_points    paradt_dynamic_move_points_64
+#define paradt_dynamic_get_info       paradt_dynamic_get_info_64
+#define paradt_dynamic_get_update     paradt_dynamic_get_update_64
+#define paradt_dynamic_cell           paradt_dynamic_cell_64
+#define paradt_dynamic_point          paradt_dynamic_point_64
+#define paradt_dynamic_representative paradt_dynamic_representative_64
+#define paradt_dynamic_star           paradt_dynamic_star_64
+#define paradt_dynamic_locate         paradt_dynamic_locate_64
+#define paradt_dynamic_nearest        paradt_dynamic_nearest_64
+#define paradt_dynamic_export         paradt_dynamic_export_64
+#define paradt_voronoi_compute        paradt_voronoi_compute_64
+#define paradt_voronoi_free           paradt_voronoi_free_64
 #else
 typedef int32_t paradt_index; // a point, a cell or a half-facet; negative: none
 #endif
@@ -764,6 +798,120 @@ typedef struct paradt_hull {
 } paradt_hull;
 #endif
 
+#ifndef PARADT_NO_LOCATOR
+// Where a place is in a triangulation
+typedef struct paradt_location {
+    paradt_index cell; // number of a cell; -1: the triangulation has no cells, or the query is not finite
+    unsigned face;     // bit j: vertex j of the cell belongs to the face whose interior holds the place. One bit: it is
+                       // that vertex; all dim + 1: inside the cell; 0: outside, and the cell has a hull facet that
+                       // sees the place: the facet's other side, on which the cell is not, holds it
+} paradt_location;
+
+// What answers queries: const once made, so any number of threads may ask at once
+typedef struct paradt_locator paradt_locator;
+
+// Where queries of one thread keep what they need. All zero at first; paradt_work_free frees it.
+typedef struct paradt_work {
+    void *block;                // NULL: nothing yet
+    size_t size;                // bytes of the block
+    paradt_allocator allocator; // zero: malloc and free
+} paradt_work;
+
+// Lists, one a vertex or an edge, end to end
+typedef struct paradt_adjacency {
+    size_t count;               // number of lists
+    size_t *first;              // [count + 1] where each list begins; the last: number of items
+    paradt_index *items;        // [first[count]]
+    paradt_allocator allocator; // what paradt_adjacency_free gives the arrays back to
+} paradt_adjacency;
+
+// What paradt_adjacency_compute lists
+typedef enum paradt_adjacent {
+    PARADT_VERTEX_CELLS,    // of each point: the cells that have it, ascending
+    PARADT_VERTEX_VERTICES, // of each point: the vertices that an edge joins with it, ascending
+    PARADT_EDGES            // one list an edge: its two vertices, the smaller first; ascending
+} paradt_adjacent;
+#endif
+
+#ifndef PARADT_NO_DYNAMIC
+// A living set: points that come, go and move, and their triangulation at any time
+typedef struct paradt_dynamic paradt_dynamic;
+
+// What a living set is now
+typedef struct paradt_dynamic_info {
+    int dim;                // affine dimension of the points that are there: dim + 1 vertices a cell; -1: none are
+    size_t point_count;     // points that are there: vertices, duplicates and hidden ones
+    size_t id_count;        // all ids are below it; some may be free
+    size_t vertex_count;    // points that are vertices of the triangulation
+    size_t cell_count;      // cells of the triangulation
+    size_t cell_end;        // all numbers of cells are below it; some are of no cell
+    size_t bytes;           // memory that the set holds
+    size_t error_point;     // the last call was PARADT_ERROR_NOT_FINITE: which of its points; else 0
+    const char *error_text; // what went wrong in the last call; static storage; NULL: nothing
+} paradt_dynamic_info;
+
+// What the last change of a living set did to its cells. A killed cell and one that was made may have the same number.
+// The arrays are the set's: read them before the next change.
+typedef struct paradt_dynamic_update {
+    size_t killed_count, made_count;     // numbers of cells
+    const paradt_index *killed;          // [killed_count] their numbers, none twice
+    const paradt_index *killed_vertices; // [killed_count][dim + 1] the ids that they had; dim: as before the change
+    const paradt_index *made;            // [made_count] numbers of cells that are there now and were not before
+    int dim_before;                      // affine dimension before the change
+    int rebuilt;                         // 1: all cells are new (the dimension changed, or a batch was large): the
+                                         // lists are empty
+} paradt_dynamic_update;
+#endif
+
+#ifndef PARADT_NO_VORONOI
+// paradt_voronoi_request.outputs
+enum {
+    PARADT_VORONOI_VOLUMES = 1,   // volumes of cells, with their errors
+    PARADT_VORONOI_CENTROIDS = 2, // centroids of cells
+    PARADT_VORONOI_FACES = 4,     // faces: their sides, and which cells have them
+    PARADT_VORONOI_AREAS = 8,     // areas of faces
+    PARADT_VORONOI_POLYGONS = 16, // vertices, and the vertices of each face in order
+    PARADT_VORONOI_NORMALS = 32   // normals of faces, and their centroids
+};
+
+// What is wanted of a Voronoi diagram
+typedef struct paradt_voronoi_request {
+    unsigned outputs;     // what to compute; 0: volumes
+    const double *box;    // [2 * dim] lower, then upper bounds that cells are clipped to; NULL: none
+    const double *planes; // [plane_count][dim + 1] a normal and an offset: cells are clipped to normal . x <= offset
+    size_t plane_count;
+} paradt_voronoi_request;
+
+// The Voronoi diagram of some points; of weighted points the power diagram. A cell belongs to a point, a face to two
+// points, or to a point and a wall that clips its cell. What was not wanted is NULL.
+typedef struct paradt_voronoi {
+    int dim;                    // of the points, and of cells; -1: an error
+    size_t cell_count;          // number of points, as given: cell i is that of point i
+    double *volumes;            // [cell_count] infinite: unbounded; 0: the cell is empty (a hidden point, a duplicate,
+                                // or all of it clipped away), or its volume less than half the smallest double
+    double *volume_errors;      // [cell_count] proven: the true volume is at most this far from it
+    double volume;              // sum of all volumes
+    double *centroids;          // [cell_count][dim] NaN where the volume is infinite or 0
+    unsigned char *unbounded;   // [cell_count] 1: the cell is unbounded; always there
+    size_t face_count;          // number of faces
+    paradt_index *sides;        // [face_count][2] the points on its two sides; the second may be -1 - k: wall k
+    double *areas;              // [face_count] measure of dimension dim - 1; infinite: unbounded
+    double *face_centroids;     // [face_count][dim] NaN where the area is infinite or 0
+    double *normals;            // [face_count][dim] of length 1, from the first side to the second
+    size_t *first_face;         // [cell_count + 1] where the faces of each cell begin in `faces`
+    paradt_index *faces;        // [first_face[cell_count]] numbers of faces
+    size_t vertex_count;        // number of vertices
+    double *vertices;           // [vertex_count][dim]
+    size_t *first_vertex;       // [face_count + 1] where the vertices of each face begin in `polygons`
+    paradt_index *polygons;     // [first_vertex[face_count]] numbers of vertices, counterclockwise when seen from the
+                                // second side; one -1 stands for the part that goes to infinity
+    size_t error_point;         // PARADT_ERROR_NOT_FINITE: index of the first such point; else 0
+    const char *error_text;     // what went wrong; for ARGUMENT which and why; static storage; NULL: no error
+    paradt_allocator allocator; // what paradt_voronoi_free gives the arrays back to
+    double seconds;             // wall time
+} paradt_voronoi;
+#endif
+
 // What paradt_check found wrong first, or why it could not tell; all zero when nothing is wrong
 typedef struct paradt_fault {
     const char *reason; // a sentence, of static storage; NULL: nothing is wrong
@@ -886,6 +1034,207 @@ PARADT_DEF paradt_status paradt_hull_check(const paradt_hull *hull, const paradt
 
 // Returns a hash of the set of facets, each as a set of point indices: as paradt_hash does for cells. Thread-safe.
 PARADT_DEF uint64_t paradt_hull_hash(const paradt_hull *hull);
+#endif
+
+#ifndef PARADT_NO_LOCATOR
+// Makes a locator of a triangulation. Afterwards neither the triangulation nor the points are needed any more.
+//   out            NULL after an error
+//   triangulation  of paradt_triangulate, paradt_repair or paradt_dynamic_export, with neighbors
+//   points         those that it was made from
+//   options        NULL: the defaults. allocator, memory_limit, progress, user are used, and PARADT_FACETS in flags,
+//                  which says what neighbors hold
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, and INVALID where arrays do not fit together. Thread
+// safety: any number of concurrent calls. Cost: sorting the points, and a pass over the cells.
+PARADT_DEF paradt_status paradt_locator_create(paradt_locator **out, const paradt_triangulation *triangulation,
+                                               const paradt_points *points, const paradt_options *options);
+
+// Frees a locator. NULL is fine. Thread safety: as free.
+PARADT_DEF void paradt_locator_free(paradt_locator *locator);
+
+// Finds where places are: the lowest face that holds each, decided exactly. Which of the cells around a face is named
+// may vary; the face, as a set of points, does not.
+//   queries  of the dimension of the points; weights are not used
+//   out      [queries->count]
+//   options  NULL: the defaults. parallel_for, progress, user, allocator, memory_limit are used
+// Lower dimensions: where the points lie in a flat, a query off the flat is outside, and its cell is any.
+// Errors: ARGUMENT, NOT_FINITE (out of the first such query then is -1, the others are not filled), MEMORY, CANCELLED.
+// Thread safety: any number of concurrent calls on one locator. Cost: sorting the queries, and a short walk each.
+PARADT_DEF paradt_status paradt_locate(const paradt_locator *locator, const paradt_points *queries,
+                                       paradt_location *out, const paradt_options *options);
+
+// Finds the vertex nearest to each place, decided exactly; of equally near ones that which is first in lexicographic
+// order. With weights in the triangulation, the one of the smallest power distance |x - p|^2 - w.
+//   out      [queries->count] index of the point; -1: there are no points
+// The rest is as for paradt_locate.
+PARADT_DEF paradt_status paradt_nearest(const paradt_locator *locator, const paradt_points *queries, paradt_index *out,
+                                        const paradt_options *options);
+
+// The same for one place: without a sort, an allocation or an error; x is finite, else the result is -1.
+//   x     [dim] of the points
+//   hint  a vertex nearby, as of the query before; -1: none is known. Then the search starts from a grid of cells.
+// Thread safety: any number of concurrent calls on one locator. Cost: expected constant time.
+PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, const double *x, paradt_index hint);
+PARADT_DEF paradt_index paradt_nearest_one(const paradt_locator *locator, const double *x, paradt_index hint);
+
+// Finds the `count` vertices nearest to x, in the order of their distance (with weights: power), ties in lexicographic
+// order.
+//   out    [count] points; -1 where there are fewer vertices
+//   work   of this thread
+// Errors: ARGUMENT, NOT_FINITE, MEMORY. Thread safety: any number of concurrent calls on one locator, each with its own
+// work. Cost: as the vertices found and their neighbours, times the logarithm of their number.
+PARADT_DEF paradt_status paradt_nearest_some(const paradt_locator *locator, const double *x, size_t count,
+                                             paradt_index *out, paradt_work *work);
+
+// Finds all vertices at most `radius` from x, by exact comparison with the double given, in ascending order of their
+// index. Weights take no part.
+//   out       [capacity] the first of them
+//   count     how many there are, which may be more than capacity
+// Errors, thread safety: as paradt_nearest_some. Cost: as the vertices in the ball and their neighbours.
+PARADT_DEF paradt_status paradt_within(const paradt_locator *locator, const double *x, double radius, paradt_index *out,
+                                       size_t capacity, size_t *count, paradt_work *work);
+
+// Finds the cells whose interior the segment from a to b meets, and where it only runs within faces, for each stretch
+// one of the cells around; in order from a to b. Parts outside the hull have no cells.
+//   out       [capacity] the first of them
+//   count     how many there are, which may be more than capacity
+// Errors, thread safety: as paradt_nearest_some. Cost: as the cells met and those around their faces that it meets.
+PARADT_DEF paradt_status paradt_along(const paradt_locator *locator, const double *a, const double *b,
+                                      paradt_index *out, size_t capacity, size_t *count, paradt_work *work);
+
+// Frees the block. Thread safety: as free.
+PARADT_DEF void paradt_work_free(paradt_work *work);
+
+// Lists the cells or the neighbours of each vertex, or the edges. See paradt_adjacent.
+//   out      is overwritten; empty after an error
+//   options  NULL: the defaults. allocator, memory_limit are used
+// Points that are no vertices have empty lists. Errors: ARGUMENT, MEMORY, TOO_LARGE, and INVALID where an index is out
+// of its range. Thread safety: any number of concurrent calls. Cost: linear time.
+PARADT_DEF paradt_status paradt_adjacency_compute(paradt_adjacency *out, const paradt_triangulation *triangulation,
+                                                  paradt_adjacent what, const paradt_options *options);
+
+// Gives the arrays back; all zero afterwards. NULL is fine. Thread safety: as free.
+PARADT_DEF void paradt_adjacency_free(paradt_adjacency *adjacency);
+#endif
+
+#ifndef PARADT_NO_DYNAMIC
+// A living set. Its triangulation always is that of paradt_triangulate for the points that are there: the cells, hidden
+// points and representatives. A point has an id, which stays valid until the point is removed; then it is free, and a
+// point that is inserted may get it. Ids of a removed point, or out of range, are PARADT_ERROR_ARGUMENT. After any
+// error the set is what it was before the call. One call at a time may change a set; those with a const set may run
+// concurrently with each other, from any threads.
+
+// Makes a living set of some points, or an empty one (points->count is 0; dim must be given).
+//   out      NULL after an error
+//   points   read during the call only; point i has the id i. Without weights all weights are 0, and those of later
+//            points must be, too.
+//   options  NULL: the defaults. They hold for all calls on the set: allocator, memory_limit (of the set), progress,
+//            parallel_for, user, regions. method says how a point is located: PARADT_AUTO, by a walk from a grid of
+//            starting cells; PARADT_DELAUNAY_TREE or PARADT_FLIP, by the cells that were: then points can't be removed
+//            or moved. flags: 0
+// Errors: those of paradt_triangulate. Thread safety: any number of concurrent calls. Cost: that of paradt_triangulate.
+PARADT_DEF paradt_status paradt_dynamic_create(paradt_dynamic **out, const paradt_points *points,
+                                               const paradt_options *options);
+
+// Frees a set. NULL is fine. Thread safety: as free.
+PARADT_DEF void paradt_dynamic_free(paradt_dynamic *d);
+
+// Inserts a point.
+//   x       [dim] coordinates
+//   weight  0 in a set without weights
+//   hint    id of a point nearby; -1: none is known
+//   id      filled with the point's id; NULL: not wanted
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE. Cost: expected constant time for points without structure; more
+// where the coordinates leave the range of all that came before, which is seldom.
+PARADT_DEF paradt_status paradt_dynamic_insert(paradt_dynamic *d, const double *x, double weight, paradt_index hint,
+                                               paradt_index *id);
+
+// Removes a point. Errors: ARGUMENT, MEMORY. Cost: as its neighbours.
+PARADT_DEF paradt_status paradt_dynamic_remove(paradt_dynamic *d, paradt_index id);
+
+// Moves a point, which keeps its id, and gives it a weight. Errors: those of inserting. Cost: a removal and an
+// insertion, and less where the cells around the point stay.
+PARADT_DEF paradt_status paradt_dynamic_move(paradt_dynamic *d, paradt_index id, const double *x, double weight);
+
+// The same for many: done wholly or, after an error, not at all. Sorted along a curve inside, and therefore faster than
+// one by one.
+//   ids  [points->count] filled by inserting (NULL: not wanted); else [count] read, none twice
+// Errors: as for one; and CANCELLED.
+PARADT_DEF paradt_status paradt_dynamic_insert_points(paradt_dynamic *d, const paradt_points *points,
+                                                      paradt_index *ids);
+PARADT_DEF paradt_status paradt_dynamic_remove_points(paradt_dynamic *d, const paradt_index *ids, size_t count);
+PARADT_DEF paradt_status paradt_dynamic_move_points(paradt_dynamic *d, const paradt_index *ids,
+                                                    const paradt_points *points);
+
+// Fills what the set is now. Thread-safe on a set that does not change.
+PARADT_DEF void paradt_dynamic_get_info(const paradt_dynamic *d, paradt_dynamic_info *info);
+
+// Fills which cells the last change killed and made. A batch is one change.
+PARADT_DEF void paradt_dynamic_get_update(const paradt_dynamic *d, paradt_dynamic_update *update);
+
+// Fills the vertices and neighbours of a cell. Returns 1, or 0 if the number is of no cell.
+//   vertices   [dim + 1] ids, positively oriented; NULL: not wanted
+//   neighbors  [dim + 1] the same facet as its other cell sees it: (dim + 1) * cell + place, as with PARADT_FACETS;
+//              -1: on the hull; NULL: not wanted
+// dim is that of paradt_dynamic_info. Numbers of cells stay what they are until a change kills the cell.
+PARADT_DEF int paradt_dynamic_cell(const paradt_dynamic *d, paradt_index cell, paradt_index *vertices,
+                                   paradt_index *neighbors);
+
+// Returns the coordinates of a point, [dim], valid until the next change, or NULL for a free id. weight: NULL: not
+// wanted
+PARADT_DEF const double *paradt_dynamic_point(const paradt_dynamic *d, paradt_index id, double *weight);
+
+// Returns the id itself if it is a vertex, else the vertex that stands for it; -1: hidden; -2: the id is free.
+PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, paradt_index id);
+
+// Returns the number of cells that have a vertex, and fills the first `capacity` of them. 0 for what is no vertex.
+PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity);
+
+#ifndef PARADT_NO_LOCATOR
+// As paradt_locate_one and paradt_nearest_one, with ids.
+PARADT_DEF paradt_location paradt_dynamic_locate(const paradt_dynamic *d, const double *x, paradt_index hint);
+PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const double *x, paradt_index hint);
+#endif
+
+// Copies the triangulation: cells in ids, numbered from 0 without gaps; representative[id] is -2 for a free id. The
+// arrays come from the set's allocator; paradt_free frees them. neighbors are cells.
+// Errors: MEMORY. Thread-safe on a set that does not change. Cost: linear time.
+PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out);
+#endif
+
+#ifndef PARADT_NO_VORONOI
+// Computes the Voronoi diagram, or with weights the power diagram, of a triangulation's points.
+//   out            is overwritten, whatever it held; after an error it is empty but for error_point and error_text
+//   triangulation  of the points, with neighbors
+//   points         those that it was made from
+//   request        NULL: volumes, not clipped. Bounds of the box may be infinite: there it has none
+//   options        NULL: the defaults. allocator, memory_limit, progress, parallel_for, regions (number of tasks; 0:
+//                  four), user are used, and PARADT_FACETS in flags, which says what neighbors hold
+// Errors: ARGUMENT, NOT_FINITE, MEMORY, TOO_LARGE, CANCELLED, and INVALID where arrays do not fit together. Thread
+// safety: any number of concurrent calls. Cost: linear time in the cells, and clipping what leaves the walls; in more
+// than 3 dimensions every cell is clipped, and its volume takes time as its flags of faces.
+//
+// Walls: of the box, wall i is its lower bound of axis i, and dim + i its upper; plane k is wall 2 * dim + k, with or
+// without a box. What clips what is decided exactly: which faces, edges and vertices there are, and which cells are
+// unbounded. Where a wall and the plane between two points coincide the wall is the side, of two walls the first. Faces
+// that are nothing but the perturbation (of points on one sphere) are not listed. With weights a point may lie between
+// two others so that its cell has no volume, but faces: on both sides of it.
+//
+// Numbers: volumes come with proven errors: a few roundoffs of the coordinates' size times the cell's surface, much
+// more for cells with vertices far away, infinite where the volume is beyond the largest double (which stands for it).
+// A coordinate of a vertex where nothing clips errs by at most 33 roundoffs (2^-52) of the vertex's largest coordinate,
+// or 257 roundoffs of the largest coordinate of its difference to a point that is nearest, if that is more; where walls
+// clip, and in more than 3 dimensions, it is the nearest double. Cells that share a vertex share its bits. Areas,
+// centroids and normals are what follows from these vertices. Bits may depend on the order of points and cells and the
+// compiler's flags, but not on the number of tasks.
+//
+// Dimensions: all outputs in 2 and 3. Above, centroids, areas and normals are ARGUMENT, and the vertices of a face are
+// in no order, -1 last. Lower dimensions: points in a flat have cells that are unbounded, but for what clips them.
+PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const paradt_triangulation *triangulation,
+                                                const paradt_points *points, const paradt_voronoi_request *request,
+                                                const paradt_options *options);
+
+// Gives the arrays back; empty afterwards: all zero but dim, which is -1. NULL is fine. Thread safety: as free.
+PARADT_DEF void paradt_voronoi_free(paradt_voronoi *voronoi);
 #endif
 
 // Returns PARADT_VERSION of the implementation that the program is linked with. Thread-safe.
@@ -1088,10 +1437,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
-//     space                        245   what the predicates know of a set
+//     space                        287   what the predicates know of a set
 //     filters                      200   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
-//     exact                        621   signs in integers
+//     exact                        622   signs in integers
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
@@ -1103,9 +1452,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     scale and axes               104   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         694   cells, links, ghosts, free places; closing
+//     mesh                         695   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        116   conflict test, walk, update
+//     scene                        202   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
@@ -1119,9 +1468,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    286   dig and star, in any dimension
-//     kept spheres                 508   conflict tests by one product, in space
-//     insertion in space           656   dig and star with kept spheres
+//     insertion                    296   dig and star, in any dimension
+//     kept spheres                 528   conflict tests by one product, in space
+//     insertion in space           658   dig and star with kept spheres
 //     insertion in space by AVX2   466   its inner functions for four lanes
 //     inserting                    213   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
@@ -1152,15 +1501,38 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     methods                      295   one row a method; AUTO's choice
 //     triangulate                  380   the entry
 //   use
-//     minors                        65   determinants with bounds, in floating point
+//     minors                        67   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
 //     hull faces                   336   planes, extreme points, measures
 //     hull                         270   the entry
+//     given triangulation          197   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       612   the entry of repairing
-//     measures of a cell           666   spheres and volumes, rounded once
+//     repair                       523   the entry of repairing
+//     measures of a cell           669   spheres and volumes, rounded once
+//     location                      91   the face that holds a place, asked from any thread
+//     starting cells               275   a vertex near any place
+//     distances                    161   which of two vertices is nearer
+//     nearest                      154   the nearest vertex
+//     adjacency                    189   a vertex to its cells and its neighbours, edges
+//     searches among neighbours    171   the k nearest, those in a ball
+//     along                        154   the cells along a segment
+//     locator                      597   the entry of queries
+//     holes of vertices            381   the hole where a vertex goes, and wrapping it
+//     filling holes                391   what fills it
+//     state of a living set        698   columns, journal, hidden and coincident points
+//     changes of a living set      672   one point comes, goes or moves; the set anew
+//     living set                   634   the entry
+//     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
+//     diagram order                134   points and cells in the order of space
+//     Voronoi vertices             157   centres of cells, and their errors
+//     Voronoi faces                491   faces and volumes that nothing clips
+//     planes of a cell             329   where planes meet, in integers
+//     clipped cell                 550   a cell as planes and vertices, in any dimension
+//     measures of a clipped cell   252   volumes, areas, centroids
+//     clipping                     470   all cells that walls or infinity clip
+//     Voronoi                      634   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -1904,7 +2276,8 @@ static double paradt__now(void) {
 // geometry, SCG 1993), stages that adapt to each call from Shewchuk (Adaptive precision floating-point arithmetic and
 // fast robust geometric predicates, DCG 18, 1997). The exact stages compute with integers instead of his expansions.
 // Doors: paradt__measure, paradt__space_is_finite, paradt__space_begin, paradt__space_add, paradt__space_join,
-// paradt__space_end, paradt__counters_add, paradt__compare, paradt__rounding.
+// paradt__space_end, paradt__space_admits, paradt__space_widen, paradt__space_refine,
+// paradt__counters_add, paradt__compare, paradt__rounding, paradt__quantum.
 
 // Columns and rows of the largest determinant; at least 4 and 5, as the code for 4 dimensions names each by a constant.
 #define PARADT__MAX_COLUMNS (PARADT_MAX_DIM > 4 ? PARADT_MAX_DIM : 4)
@@ -2110,6 +2483,47 @@ static void paradt__space_end(paradt__space *s) {
         s->orient_certain = paradt__larger(s->orient_certain, orient->certain);
         s->orient_quantum = -paradt__larger(-s->orient_quantum, -orient->quantum);
     }
+}
+
+// Is x within the range?
+PARADT__INLINE int paradt__range_has(const paradt__range *range, double x) {
+    uint64_t bits = paradt__bits(x);
+    int biased = (int)(bits >> 52 & 2047), top = biased - 1022;
+    int unit = biased - 1075 + paradt__trailing_zeros(bits | (uint64_t)1 << 52);
+    return ((biased > 0) & (unit >= range->unit) & (top > range->bottom) & (top <= range->top)) | !(bits << 1);
+}
+
+// May the predicates be asked about a point, without a weight, that was not measured?
+PARADT__OPTIONAL int paradt__space_admits(const paradt__space *s, const double *x) {
+    int admits = 1;
+    for (int j = 0; j < s->ambient; j++) {
+        int64_t place = paradt__ordered_bits(x[j]);
+        admits &= (place >= s->low[j]) & (place <= s->high[j]) & paradt__range_has(&s->coordinates, x[j]);
+    }
+    return admits;
+}
+
+// Widens the box of what was measured by its own size on every side, so that more points are admitted; before
+// paradt__space_end. The filters' bounds for the set become larger, which matters little.
+PARADT__OPTIONAL void paradt__space_widen(paradt__space *s) {
+    for (int j = 0; j < s->ambient; j++) {
+        double low, high, side;
+        if (s->low[j] > s->high[j] || s->coordinates.top > 1000) continue; // there are no points, or no room
+        low = paradt__from_ordered_bits(s->low[j]);
+        high = paradt__from_ordered_bits(s->high[j]);
+        side = high - low;
+        s->low[j] = paradt__ordered_bits(low - side);
+        s->high[j] = paradt__ordered_bits(high + side);
+    }
+}
+
+// Admits numbers with more digits than those that were measured; before paradt__space_end. Without need that costs some
+// speed: a determinant of numbers with few digits is known to be 0 where it is small.
+PARADT__OPTIONAL void paradt__space_refine(paradt__space *s) {
+    enum { SMALLER = 40 }; // numbers so many bits below the largest have all their digits
+    if (s->coordinates.unit > s->coordinates.top) return; // there are none but 0
+    s->coordinates.bottom = paradt__min(s->coordinates.bottom, s->coordinates.top - SMALLER);
+    s->coordinates.unit = paradt__min(s->coordinates.unit, s->coordinates.top - SMALLER - 53);
 }
 
 // Compares two points lexicographically by the first dim coordinates: -1, 0 or 1.
@@ -2466,7 +2880,8 @@ PARADT__INLINE void paradt__store_any(paradt__digit *digits, const paradt__wide 
 // numbers of any length. Coordinates are integers in a unit, a power of two of which all are multiples. The lifts' unit
 // is the square of that unit, or less if the weights need it.
 // Doors: paradt__exact_insphere3, paradt__exact_orient, paradt__exact_insphere; for numbers instead of signs
-// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference.
+// paradt__determinant_digits, paradt__minors_space, paradt__minor_digits, paradt__add_difference; for determinants of
+// other rows paradt__mantissa, paradt__fix, paradt__small_sign, paradt__next_subset.
 
 // ceil(log2(n!)): a determinant of n rows has at most so many bits more than the product of its columns
 static const int paradt__log_factorial[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19};
@@ -3086,7 +3501,7 @@ static int paradt__exact_insphere(paradt__space *s, const double *const *p) {
 // into the space, and the cell of an in-sphere test must be positively oriented.
 // The ties are broken as by Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
 // CGTA 44, 2011. The public predicates measure the points of each call.
-// Doors: paradt__orient, paradt__perturbed, paradt__conflict.
+// Doors: paradt__orient, paradt__insphere, paradt__perturbed, paradt__conflict.
 
 // Was the set measured, up to the end, and are the dimensions among those measured?
 PARADT__INLINE int paradt__space_is_ready(const paradt__space *s) {
@@ -3657,7 +4072,7 @@ static void paradt__curve_sort(const paradt__curve *curve, const double *records
 // origin[position] is the index. This section has the set itself and how one point is read; the set is made in the
 // sections >>reading, >>sorting and >>scale and axes.
 // Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
-// paradt__weight_size, paradt__read_record, paradt__coordinates, paradt__fetch_point.
+// paradt__weight_size, paradt__weight, paradt__read_record, paradt__coordinates, paradt__fetch_point.
 
 enum {
     PARADT__UNGRADED,
@@ -3815,7 +4230,7 @@ PARADT__INLINE int paradt__read_record(const paradt__source *source, size_t inde
 // What several sections ask about a set or a part of it: along which axis it is longest, how far its points are from
 // their neighbours, and which of its points span it. The first two steer the work and are estimates in floating-point
 // arithmetic; the last is exact.
-// Doors: paradt__longest_axis, paradt__spacing, paradt__margin_for, paradt__set_basis.
+// Doors: paradt__longest_axis, paradt__spacing, paradt__margin_for, paradt__set_basis, paradt__extends.
 
 // Returns the axis along which a box is longest, the first of several. by_steps: lengths are numbers of steps from one
 // double to the next; else they are differences of coordinates, halved as a difference may overflow.
@@ -5100,7 +5515,8 @@ enum {
     PARADT__LISTED = 8,   // in the list of the fringe; not kept by all regions; in mending: to be in a hole
     PARADT__DROPPED = 16, // not kept in the end; used by ranks
     PARADT__WRONG = 32,   // in the list of cells that are not of T(P); in mending: turned over
-    PARADT__OUTSIDE = 64  // known not to be in conflict with the point that is being inserted
+    PARADT__OUTSIDE = 64, // known not to be in conflict with the point that is being inserted
+    PARADT__FRESH = 128   // made by the change of a living set that is going on
 };
 
 #ifdef PARADT_INDEX64
@@ -6010,8 +6426,8 @@ PARADT__OPTIONAL paradt_status paradt__facets_join(paradt__facets *facets, parad
 // with the points of the facet's circumscribing disc; these are the points of the plane with which the finite cell on
 // the facet is in conflict, and that remains so under the perturbation: the lift of a point in the plane is compared
 // with an affine function through the facet's lifted vertices alone.
-// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__update_free, paradt__scene_cell,
-// paradt__scene_fetch_around.
+// Doors: paradt__scene_record, paradt__side, paradt__conflicts, paradt__walk, paradt__walk_any, paradt__update_free,
+// paradt__scene_cell, paradt__scene_fetch_around.
 
 typedef struct paradt__scene {
     paradt__space space;   // its own, for the counters
@@ -6087,28 +6503,114 @@ static int paradt__conflicts(paradt__scene *scene, paradt_index cell, const doub
     return paradt__conflict(&scene->space, p);
 }
 
+// The sides of all facets of a cell in space that x is on, at once. values: [4] determinants, each within the space's
+// bound of the true one; positive: x is on the side of the vertex opposite
+PARADT__INLINE void paradt__sides_in_space(const paradt__scene *scene, const paradt_index *row, const double *x,
+                                           double *values) {
+    double d[4][3], m01, m02, m03, m12, m13, m23;
+    int i, axis;
+    for (i = 0; i < 4; i++) {
+        const double *p = paradt__scene_record(scene, row[i]);
+        for (axis = 0; axis < 3; axis++) d[i][axis] = p[axis] - x[axis];
+    }
+    m01 = d[0][0] * d[1][1] - d[0][1] * d[1][0];
+    m02 = d[0][0] * d[2][1] - d[0][1] * d[2][0];
+    m03 = d[0][0] * d[3][1] - d[0][1] * d[3][0];
+    m12 = d[1][0] * d[2][1] - d[1][1] * d[2][0];
+    m13 = d[1][0] * d[3][1] - d[1][1] * d[3][0];
+    m23 = d[2][0] * d[3][1] - d[2][1] * d[3][0];
+    values[0] = m23 * d[1][2] - m13 * d[2][2] + m12 * d[3][2];
+    values[1] = m03 * d[2][2] - m23 * d[0][2] - m02 * d[3][2];
+    values[2] = m13 * d[0][2] - m03 * d[1][2] + m01 * d[3][2];
+    values[3] = m02 * d[1][2] - m12 * d[0][2] - m01 * d[2][2];
+}
+
+// The same of a cell in the plane. values: [3]
+PARADT__INLINE void paradt__sides_in_plane(const paradt__scene *scene, const paradt_index *row, const double *x,
+                                           double *values) {
+    double d[3][2];
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double *p = paradt__scene_record(scene, row[i]);
+        d[i][0] = p[0] - x[0];
+        d[i][1] = p[1] - x[1];
+    }
+    values[0] = d[1][0] * d[2][1] - d[1][1] * d[2][0];
+    values[1] = d[2][0] * d[0][1] - d[2][1] * d[0][0];
+    values[2] = d[0][0] * d[1][1] - d[0][1] * d[1][0];
+}
+
+// The facet of a cell that a walk crosses to get to x; -1: x is in the cell, and *inside has a bit for each vertex with
+// x strictly on its side of the facet opposite. from: the facet it came through; -1: none. In the plane and in space it
+// is the facet that has x farthest beyond it, as a part of the cell's height.
+PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell, const double *x, int from,
+                                         unsigned *inside, int corners) {
+    const paradt_index *row = scene->mesh.vertices + (size_t)cell * (size_t)corners;
+    const paradt__space *space = &scene->space;
+    double values[4];
+    unsigned known = from >= 0 ? 1u << from : 0, positive = known;
+    int i;
+    if ((PARADT__IS(corners, 4) || corners == 3) && space->bounded) {
+        const double certain = space->orient[corners - 1].certain;
+        double least = -certain;
+        int facet = -1;
+        if (corners == 3) paradt__sides_in_plane(scene, row, x, values);
+        else paradt__sides_in_space(scene, row, x, values);
+        for (i = 0; i < corners; i++) {
+            double value = i == from ? 0.0 : values[i];
+            facet = value < least ? i : facet;
+            least = value < least ? value : least;
+        }
+        if (PARADT__LIKELY(facet >= 0)) return facet;
+        for (i = 0; i < corners; i++) positive |= (unsigned)(values[i] > certain) << i;
+        known |= positive;
+    }
+    for (i = 0; i < corners && known != (2u << (corners - 1)) - 1; i++) {
+        int side;
+        if (known >> i & 1) continue;
+        side = paradt__side(scene, cell, i, x);
+        if (side < 0) return i;
+        positive |= (unsigned)side << i;
+    }
+    *inside = positive;
+    return -1;
+}
+
 // Walks from a cell or ghost to the cell that contains x, or to a ghost whose hull facet has x strictly beyond it. A
 // visibility walk: it crosses any facet that has x on its other side. In a regular triangulation it ends whichever it
-// takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990).
-static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const double *x) {
+// takes (Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", Combinatorica 10, 1990). *inside: a
+// bit for each vertex of the cell with x strictly on the vertex's side of the facet opposite; of a ghost 0. Returns
+// PARADT__OPEN after `steps` steps: so many take to end only walks in what is no regular triangulation.
+PARADT__INLINE paradt_index paradt__walk_by(paradt__scene *scene, paradt_index cell, const double *x, size_t steps,
+                                            unsigned *inside, int corners) {
     const paradt__mesh *mesh = &scene->mesh;
-    int corners = mesh->corners, i, from = -1;
-    for (;;) {
-        size_t base = (size_t)cell * (size_t)corners;
-        int ghost = paradt__ghost_place(mesh->vertices + base, corners);
-        PARADT_ASSERT(mesh->vertices[base] != PARADT__DEAD);
-        if (ghost >= 0) {
-            if (paradt__side(scene, cell, ghost, x) > 0) return cell;
-            i = ghost;
-        } else {
-            for (i = 0; i < corners; i++) {
-                if (i != from && paradt__side(scene, cell, i, x) < 0) break;
-            }
-            if (i == corners) return cell;
-        }
-        from = (int)(mesh->links[base + (size_t)i] % corners);
-        cell = paradt__mesh_cell(mesh, mesh->links[base + (size_t)i]);
+    int i, from = -1;
+    for (; steps; steps--) {
+        const paradt_index *links = mesh->links + (size_t)cell * (size_t)corners;
+        int ghost = paradt__ghost_place(mesh->vertices + (size_t)cell * (size_t)corners, corners), facet = ghost;
+        PARADT_ASSERT(mesh->vertices[(size_t)cell * (size_t)corners] != PARADT__DEAD);
+        for (i = 0; i < corners && corners <= 4; i++) // one of these is next, most probably
+            paradt__fetch_row(mesh->vertices, mesh->links, (size_t)(links[i] / corners), (size_t)corners);
+        *inside = 0;
+        if (ghost < 0) facet = paradt__facet_towards(scene, cell, x, from, inside, corners);
+        else if (from == ghost || paradt__side(scene, cell, ghost, x) > 0) return cell;
+        if (facet < 0) return cell;
+        from = (int)(links[facet] % corners);
+        cell = links[facet] / corners;
     }
+    return PARADT__OPEN;
+}
+
+static paradt_index paradt__walk_any(paradt__scene *scene, paradt_index cell, const double *x, size_t steps,
+                                     unsigned *inside) {
+    if (PARADT__IS(scene->mesh.corners, 4)) return paradt__walk_by(scene, cell, x, steps, inside, 4);
+    if (scene->mesh.corners == 3) return paradt__walk_by(scene, cell, x, steps, inside, 3);
+    return paradt__walk_by(scene, cell, x, steps, inside, scene->mesh.corners);
+}
+
+static paradt_index paradt__walk(paradt__scene *scene, paradt_index cell, const double *x) {
+    unsigned inside;
+    return paradt__walk_any(scene, cell, x, SIZE_MAX, &inside);
 }
 
 #ifndef PARADT__NO_SEARCH
@@ -8856,9 +9358,17 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
 // Between two insertions `scene` is as >>scene says, no cell has the marks PARADT__CONFLICT and PARADT__OUTSIDE, and
 // `update` says what the last insertion did. After an error the mesh may only be freed.
 // Doors: paradt__insertion_point, paradt__insertion_room, paradt__insertion_reserve, paradt__insertion_first_points,
-// paradt__insertion_first_cells, paradt__cavity_star, paradt__cavity_clear, paradt__insert, paradt__insert_at.
+// paradt__insertion_first_cells, paradt__cavity_dig, paradt__cavity_star, paradt__cavity_fill, paradt__cavity_join,
+// paradt__cavity_clear, paradt__insert, paradt__insert_at.
 
 struct paradt__kept; // see >>kept spheres
+struct paradt__insertion;
+
+// Is told of each cavity when it has been dug, before it is starred: update.killed and the rim are filled, and the mesh
+// is still as it was. It makes the room that starring takes, so that nothing fails afterwards, or says why not.
+typedef struct paradt__witness {
+    paradt_status (*dug)(struct paradt__witness *witness, struct paradt__insertion *build);
+} paradt__witness;
 
 // An insertion of points, from its first cells on
 typedef struct paradt__insertion {
@@ -8870,6 +9380,7 @@ typedef struct paradt__insertion {
     size_t later;              // number of points that may follow these; only for the capacity of the mesh
     double rate, rate_at;      // cells a point when the mesh last grew, and 1 + `inserted` then; 0: never
     paradt__relay *relay;      // says when the insertion pauses; NULL: it never does
+    paradt__witness *witness;  // is told of cavities; NULL: nobody is
     paradt__update update;     // what the last insertion did
     paradt_index *rim;         // [rim_capacity] the facets of the rim, as handles in the cavity's cells
     size_t rim_count, rim_capacity;
@@ -9077,6 +9588,7 @@ static paradt_status paradt__cavity_clear(paradt__insertion *build) {
 static paradt_status paradt__insert_at(paradt__insertion *build, paradt_index point, paradt_index cell) {
     const double *x = paradt__scene_record(&build->scene, point);
     paradt_status status = paradt__cavity_dig(build, cell, x);
+    if (!status && build->witness) status = build->witness->dug(build->witness, build);
     if (!status) status = paradt__cavity_star(build, point);
     return status ? status : paradt__cavity_clear(build);
 }
@@ -9182,9 +9694,9 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 //     6 * 8 h_x h_y h_z. So a power that is surely less than quantum / (64 h_x h_y h_z) in size is 0. A ghost's power
 //     never passes this test, for the ghost's error exceeds 2 H.
 //
-// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_sphere, paradt__kept_settle,
-// paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make, paradt__sphere_of_facet, paradt__sphere_power,
-// paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
+// Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_forget, paradt__kept_drop, paradt__kept_more_numbers,
+// paradt__kept_sphere, paradt__kept_settle, paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make,
+// paradt__sphere_of_facet, paradt__sphere_power, paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
 
 // Slots of the table: eight a point up to MANY_SPHERES; for more points one for 5 of them (for 8 where the mesh is a
 // slice of the result) up to MOST_SPHERES. There is memory for LEAST_SPHERES at least, as a block of that size keeps
@@ -9480,7 +9992,7 @@ PARADT__INLINE paradt__sphere *paradt__kept_evict(const paradt__insertion *build
 PARADT__NOINLINE void paradt__kept_remake(const paradt__insertion *build, paradt_index cell) {
     paradt__sphere *sphere = paradt__kept_evict(build, cell);
     paradt__kept_make(build, cell);
-    if (build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__IN_CAVITY;
+    if (build->kept->evicted && build->scene.mesh.marks[cell] & PARADT__CONFLICT) sphere->tag |= PARADT__IN_CAVITY;
 }
 
 // Returns the sphere of a cell, which is in the table afterwards.
@@ -9592,6 +10104,7 @@ static void paradt__kept_grade(paradt__insertion *build) {
 static void paradt__kept_measure(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     int axis;
+    memset(&s->frame, 0, sizeof s->frame);
     for (axis = 0; axis < 3; axis++) {
         double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
         double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
@@ -9605,6 +10118,25 @@ static void paradt__kept_measure(paradt__insertion *build) {
     s->zero_below =
         build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
 }
+
+#ifndef PARADT_NO_DYNAMIC
+// Forgets all spheres and the vertices' numbers, and measures anew: after an error, or when the box has changed.
+static void paradt__kept_forget(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    size_t i;
+    for (i = 0; i <= s->mask; i++) s->table[i].tag = PARADT__NO_SPHERE;
+    memset(s->number, 0, s->numbers * sizeof *s->number);
+    s->next_number = PARADT__NUMBER_STEP;
+    s->evicted = 0;
+    paradt__kept_measure(build);
+}
+
+// Forgets the sphere of a cell, which is about to be replaced.
+PARADT__INLINE void paradt__kept_drop(paradt__kept *s, paradt_index cell) {
+    paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
+    if (sphere->tag == (paradt__tag)cell) sphere->tag = PARADT__NO_SPHERE;
+}
+#endif
 
 // Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
 // build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
@@ -10246,6 +10778,7 @@ PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, p
     paradt_index first = paradt__kept_locate(build, &centred, x);
     paradt_status status = paradt__kept_dig(build, first, &centred, x, kernels);
     int is_common;
+    if (!PARADT__LIKELY(!build->witness) && !status) status = build->witness->dug(build->witness, build);
     if (status) return status;
     paradt__kept_look_ahead(build);
     paradt__kept_dug(build);
@@ -10287,6 +10820,7 @@ PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, pa
             paradt__fetch_row(build->scene.mesh.vertices, build->scene.mesh.links, (size_t)other, 4);
             PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
             if (vertices[j] >= 0) PARADT__PREFETCH(paradt__scene_record(&build->scene, vertices[j]));
+            PARADT__FETCH(s->number, vertices[j] + 1);
             if (count < CELLS) around[count++] = other;
         }
     }
@@ -10719,7 +11253,7 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
     for (i = 0; i < missing; i += 4) paradt__kept_remake_four(build, cells + i);
-    for (i = 0; i < missing; i++) {
+    for (i = 0; i < missing && s->evicted; i++) { // else no cell has the mark
         paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
         if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
             sphere->tag |= PARADT__IN_CAVITY;
@@ -16760,8 +17294,8 @@ static paradt_status paradt__build_mesh(paradt__work *work) {
 // >>triangulate
 //
 // The entry: arguments are checked, the call is planned, points are read, the mesh is built, closed and handed over.
-// Doors: the public functions; paradt__packed_points, paradt__withdraw; for ranks, too, paradt__check_arguments,
-// paradt__triangulate_region, paradt__flat_text.
+// Doors: the public functions; paradt__packed_points, paradt__withdraw, paradt__options_fault, paradt__begin_call,
+// paradt__load; for ranks, too, paradt__check_arguments, paradt__triangulate_region, paradt__flat_text.
 
 PARADT_DEF int paradt_version(void) {
     return PARADT_VERSION;
@@ -17135,7 +17669,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 }
 #endif
 
-#ifndef PARADT_NO_HULLS
+#if !defined(PARADT_NO_HULLS) || !defined(PARADT_NO_VORONOI)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>minors
 //
@@ -17200,7 +17734,9 @@ PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, 
     *error = paradt__minors_factor(k) * sizes + PARADT__ROUNDOFF * (terms + 4) * squares;
     return squares;
 }
+#endif
 
+#ifndef PARADT_NO_HULLS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>hull points
 //
@@ -18276,6 +18812,203 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 }
 #endif // PARADT_NO_HULLS
 
+#if !defined(PARADT_NO_FLIPS) || !defined(PARADT_NO_LOCATOR) || !defined(PARADT_NO_VORONOI)
+// ---------------------------------------------------------------------------------------------------------------------
+// >>given triangulation
+//
+// The caller's triangulation and points as a mesh and a set: for what mends a triangulation, and for what answers
+// questions about one. Points are read in the caller's order and cells stay in theirs: a vertex is an index, a place of
+// the mesh the number of a cell, and the ghosts stand behind the cells.
+//
+// The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
+// that links back, where both have a vertex of their own, and that the hull has a neighbour across each of its ridges.
+// No coordinate is asked for that: cells may be turned over.
+// Doors: paradt__given_read, paradt__given_place, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts,
+// paradt__given_mesh, paradt__given_set.
+
+// Reads the points into the records of a zeroed set, which are in their order, and adds them to its space; there is
+// memory for one record more.
+//   representative  NULL, or of the triangulation: free ids of a living set are read as 0 and measured nowhere
+//   mean            NULL, or [dim] filled with the mean of the points
+//   bad             index of the first point that is not finite
+PARADT__OPTIONAL paradt_status paradt__given_read(paradt__set *set, const paradt_points *points,
+                                                  const paradt_index *representative, double *mean,
+                                                  paradt__memory *memory, paradt__meter *meter, size_t *bad) {
+    paradt__source source = paradt__source_of(points);
+    const double part = 1.0 / (double)points->count;
+    size_t i;
+    int axis;
+    set->width = (size_t)points->dim + (points->weights != NULL);
+    set->count = points->count;
+    set->records = (double *)paradt__alloc_filled(memory, points->count + 1, set->width * sizeof(double));
+    if (!set->records) return PARADT_ERROR_MEMORY;
+    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
+    if (mean) memset(mean, 0, (size_t)points->dim * sizeof *mean);
+    for (i = 0; i < points->count; i++) {
+        double *record = set->records + i * set->width;
+        if (i % PARADT__PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        if (representative && representative[i] < -1) {
+            memset(record, 0, set->width * sizeof *record);
+            continue;
+        }
+        if (paradt__read_record(&source, i, record) == 2047) {
+            *bad = i;
+            return PARADT_ERROR_NOT_FINITE;
+        }
+        paradt__space_add(&set->space, record);
+        for (axis = 0; mean && axis < points->dim; axis++) mean[axis] += record[axis] * part;
+    }
+    return PARADT_OK;
+}
+
+// The place of a vertex in a row, of which it is one; more than any place: it is not
+PARADT__INLINE int paradt__given_place(const paradt_index *row, paradt_index vertex, int corners) {
+    int i = 0;
+#if PARADT__FOUR_AT_ONCE && defined(__GNUC__)
+    if (corners == 4) {
+        __m128i four = _mm_loadu_si128((const __m128i *)(const void *)row);
+        return __builtin_ctz(
+            (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(four, _mm_set1_epi32(vertex)))) | 1u << 8);
+    }
+#endif
+    while (i < corners && row[i] != vertex) i++;
+    return i;
+}
+
+// Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
+// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together,
+// or a neighbour, whose row may not have been looked at yet, has a vertex that is no point.
+PARADT__INLINE int paradt__given_link(const paradt__mesh *mesh, size_t cell, size_t points, int facets, int corners) {
+    paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
+    paradt_index own = 0;
+    int fits = 1;
+    for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
+    for (i = base; i < base + corners; i++) {
+        paradt_index link = links[i], apex = own ^ mesh->vertices[i], other, back;
+        int place;
+        if (link == PARADT__HULL) continue;
+        if (facets) {
+            if (link < 0 || link >= end * corners || links[link] != i) return 0;
+            if ((paradt__tag)mesh->vertices[link] >= (paradt__tag)points) return 0;
+            continue;
+        }
+        if (link < 0 || link >= end) return 0;
+        other = link * corners;
+        for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
+        place = paradt__given_place(mesh->vertices + other, apex, corners);
+        if (place >= corners || (paradt__tag)apex >= (paradt__tag)points) return 0;
+        back = link < (paradt_index)cell ? i : (paradt_index)cell;
+        fits &= links[other + place] == back;
+        links[i] = other + place;
+    }
+    return fits;
+}
+
+// Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
+PARADT__INLINE void paradt__given_fetch_rows(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
+    int i;
+    if (cell >= mesh->count) return;
+    for (i = 0; i < corners; i++) {
+        paradt_index link = mesh->links[cell * (size_t)corners + (size_t)i];
+        size_t row = (size_t)link * (facets ? 1 : (size_t)corners);
+        if (link < 0) continue;
+        PARADT__FETCH(mesh->links, row);
+        PARADT__FETCH(mesh->vertices, row);
+    }
+}
+
+// Makes the ghosts of a mesh of cells that are linked, for which there is room.
+PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, paradt__memory *memory) {
+    const int corners = mesh->corners;
+    const paradt_index end = (paradt_index)mesh->count * corners;
+    paradt_index handle, base;
+    int i;
+    paradt__facets ridges;
+    paradt_status status = paradt__facets_begin(&ridges, 0, 1, memory);
+    for (handle = 0; handle < end && !status; handle++) {
+        paradt_index first = handle - handle % corners;
+        const int place = (int)(handle % corners);
+        if (mesh->links[handle] >= 0) continue;
+        PARADT_ASSERT(mesh->count < mesh->capacity);
+        base = (paradt_index)mesh->count++ * corners;
+        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
+            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
+                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
+        paradt__mesh_tie(mesh, handle, base + (place < 2 ? 1 - place : place));
+        status = paradt__facets_room(&ridges, (size_t)corners, memory);
+        for (i = 0; i < corners && !status; i++) {
+            if (mesh->vertices[base + i] == PARADT__INFINITE) continue;
+            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
+        }
+    }
+    if (!status && ridges.count) status = PARADT_ERROR_INVALID;
+    mesh->paged = mesh->count;
+    paradt__facets_free(&ridges, memory);
+    return status;
+}
+
+// Makes handles of the links of all cells.
+PARADT__INLINE paradt_status paradt__given_link_all(const paradt__mesh *mesh, size_t points, int facets,
+                                                    paradt__meter *meter, int corners) {
+    enum { PACE = 1 << 14, ROWS_AHEAD = 12 };
+    const paradt__mesh copy = *mesh; // which nothing that is written can change
+    size_t cell;
+    for (cell = 0; cell < copy.count; cell++) {
+        if (cell % PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        paradt__given_fetch_rows(&copy, cell + ROWS_AHEAD, facets, corners);
+        if (!paradt__vertices_among(copy.vertices + cell * (size_t)corners, corners, 0, (paradt_index)points) ||
+            !paradt__given_link(&copy, cell, points, facets, corners))
+            return PARADT_ERROR_INVALID;
+    }
+    return PARADT_OK;
+}
+
+// Makes a closed mesh, with arrays of its own and without marks, of a triangulation of dimension 1 at least that has
+// cells and neighbours. facets: these are half-facets. After an error the caller frees the mesh.
+PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const paradt_triangulation *t, int facets,
+                                                  paradt__memory *memory, paradt__meter *meter) {
+    size_t corners = (size_t)(t->dim + 1), count = t->cell_count, hull = 0, i;
+    paradt_status status;
+    PARADT_ASSERT(t->dim >= 1 && t->cells && t->neighbors);
+    paradt__mesh_begin(mesh, t->dim + 1, 0);
+    if (count > paradt__most_cells(mesh->corners)) return PARADT_ERROR_INVALID;
+    for (i = 0; i < count * corners; i++) hull += t->neighbors[i] < 0;
+    status = paradt__mesh_reserve(mesh, count + hull, count + hull, memory);
+    if (status) return status;
+    mesh->count = count;
+    paradt__mesh_make_pages(mesh, count + hull);
+    memcpy(mesh->vertices, t->cells, count * corners * sizeof *t->cells);
+    memcpy(mesh->links, t->neighbors, count * corners * sizeof *t->neighbors);
+    status = corners == 4 ? paradt__given_link_all(mesh, t->point_count, facets, meter, 4)
+                          : paradt__given_link_all(mesh, t->point_count, facets, meter, mesh->corners);
+    return status ? status : paradt__given_ghosts(mesh, memory);
+}
+
+// Makes a zeroed set of the points of a triangulation whose mesh has been made: measured, and with the axes that orient
+// first. *bad: index of the first point that is not finite. After an error the caller frees the set.
+PARADT__OPTIONAL paradt_status paradt__given_set(paradt__set *set, const paradt_triangulation *t,
+                                                 const paradt_points *points, paradt__memory *memory,
+                                                 paradt__meter *meter, size_t *bad) {
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt_status status = paradt__given_read(set, points, t->representative, NULL, memory, meter, bad);
+    paradt__set first;
+    int axis;
+    if (status) return status;
+    for (axis = 0; axis < points->dim; axis++) set->axes[axis] = axis;
+    if (t->dim == points->dim) {
+        paradt__set_measured(set, t->dim);
+        return PARADT_OK;
+    }
+    first = *set; // the first cell's vertices, which span the flat that all points are in
+    first.count = (size_t)t->dim + 1;
+    if (paradt__set_basis(&first, t->cells, 0, basis, set->axes, &set->space.counters, meter) != t->dim + 1)
+        return PARADT_ERROR_INVALID;
+    paradt__set_permute(set);
+    paradt__set_measure(set, &paradt__alone, t->dim);
+    return PARADT_OK;
+}
+#endif
+
 #ifndef PARADT_NO_FLIPS
 // ---------------------------------------------------------------------------------------------------------------------
 // >>mending by flips
@@ -19149,31 +19882,14 @@ typedef struct paradt__repair {
     uint64_t hidden, duplicates;
 } paradt__repair;
 
-// Reads the points, in their order, and measures them.
+// Reads the points, in their order, and measures them; and a point inside.
 static paradt_status paradt__repair_read(paradt__repair *r, const paradt_points *points) {
-    paradt__source source = paradt__source_of(points);
     paradt__set *set = &r->set;
-    const double part = 1.0 / (double)points->count;
-    double *inner;
-    size_t i;
-    int axis;
-    set->width = (size_t)points->dim + (points->weights != NULL);
-    set->count = points->count;
-    set->records = (double *)paradt__alloc_filled(&r->memory, points->count + 1, set->width * sizeof(double));
-    if (!set->records) return PARADT_ERROR_MEMORY;
+    double mean[PARADT_MAX_DIM + 1] = {0}, *inner;
+    paradt_status status = paradt__given_read(set, points, NULL, mean, &r->memory, &r->meter, &r->t->error_point);
+    if (status) return status;
     inner = set->records + points->count * set->width;
-    memset(inner, 0, set->width * sizeof *inner);
-    paradt__space_begin(&set->space, points->dim, points->dim, points->weights != NULL);
-    for (i = 0; i < points->count; i++) {
-        double *record = set->records + i * set->width;
-        if (i % PARADT__PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
-        if (paradt__read_record(&source, i, record) == 2047) {
-            r->t->error_point = i;
-            return PARADT_ERROR_NOT_FINITE;
-        }
-        paradt__space_add(&set->space, record);
-        for (axis = 0; axis < points->dim; axis++) inner[axis] += record[axis] * part;
-    }
+    paradt__copy_record(inner, mean, set->width);
     paradt__space_add(&set->space, inner);
     paradt__space_end(&set->space);
     r->mend.inner = inner;
@@ -19198,49 +19914,6 @@ static paradt_status paradt__repair_adopt(paradt__repair *r) {
     mesh->links = t->neighbors;
     t->cells = t->neighbors = NULL;
     return PARADT_OK;
-}
-
-// The place of a vertex in a row, of which it is one; more than any place: it is not
-PARADT__INLINE int paradt__repair_place(const paradt_index *row, paradt_index vertex, int corners) {
-    int i = 0;
-#if PARADT__FOUR_AT_ONCE && defined(__GNUC__)
-    if (corners == 4) {
-        __m128i four = _mm_loadu_si128((const __m128i *)(const void *)row);
-        return __builtin_ctz(
-            (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(four, _mm_set1_epi32(vertex)))) | 1u << 8);
-    }
-#endif
-    while (i < corners && row[i] != vertex) i++;
-    return i;
-}
-
-// Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
-// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together,
-// or a neighbour, whose row may not have been looked at yet, has a vertex that is no point.
-PARADT__INLINE int paradt__repair_link(const paradt__mesh *mesh, size_t cell, size_t points, int facets, int corners) {
-    paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
-    paradt_index own = 0;
-    int fits = 1;
-    for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
-    for (i = base; i < base + corners; i++) {
-        paradt_index link = links[i], apex = own ^ mesh->vertices[i], other, back;
-        int place;
-        if (link == PARADT__HULL) continue;
-        if (facets) {
-            if (link < 0 || link >= end * corners || links[link] != i) return 0;
-            if ((paradt__tag)mesh->vertices[link] >= (paradt__tag)points) return 0;
-            continue;
-        }
-        if (link < 0 || link >= end) return 0;
-        other = link * corners;
-        for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
-        place = paradt__repair_place(mesh->vertices + other, apex, corners);
-        if (place >= corners || (paradt__tag)apex >= (paradt__tag)points) return 0;
-        back = link < (paradt_index)cell ? i : (paradt_index)cell;
-        fits &= links[other + place] == back;
-        links[i] = other + place;
-    }
-    return fits;
 }
 
 // Looks at a cell: lists it if it is turned over or flat, else its facets that are not locally regular, each as the
@@ -19270,19 +19943,6 @@ PARADT__NOINLINE paradt_status paradt__repair_ask(paradt__repair *r, size_t cell
     return PARADT_OK;
 }
 
-// Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
-PARADT__INLINE void paradt__repair_fetch_rows(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
-    int i;
-    if (cell >= mesh->count) return;
-    for (i = 0; i < corners; i++) {
-        paradt_index link = mesh->links[cell * (size_t)corners + (size_t)i];
-        size_t row = (size_t)link * (facets ? 1 : (size_t)corners);
-        if (link < 0) continue;
-        PARADT__FETCH(mesh->links, row);
-        PARADT__FETCH(mesh->vertices, row);
-    }
-}
-
 // Fetches the records of a cell, and of the apexes of neighbours, ahead of their use.
 PARADT__INLINE void paradt__repair_fetch_records(const paradt__insertion *build, size_t cell, int corners) {
     const paradt__mesh *mesh = &build->scene.mesh;
@@ -19309,10 +19969,10 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
         const paradt_index *links = mesh.links + cell * (size_t)corners;
         if (cell % PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
         for (; linked < mesh.count && linked <= cell + LINKED_AHEAD; linked++) {
-            paradt__repair_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
+            paradt__given_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
             if (!paradt__vertices_among(mesh.vertices + linked * (size_t)corners, corners, 0,
                                         (paradt_index)r->set.count) ||
-                !paradt__repair_link(&mesh, linked, r->set.count, r->facets, corners))
+                !paradt__given_link(&mesh, linked, r->set.count, r->facets, corners))
                 return PARADT_ERROR_INVALID;
             paradt__repair_fetch_records(build, linked, corners);
         }
@@ -19330,39 +19990,23 @@ PARADT__HOT paradt_status paradt__repair_survey(paradt__repair *r) {
     return paradt__repair_survey_any(r, corners, 0);
 }
 
-// Makes the ghosts, and lists their facets.
+// Makes the ghosts, and lists their facets. Those that have the inner point beyond them are turned over.
 static paradt_status paradt__repair_ghosts(paradt__repair *r) {
-    paradt__mesh *mesh = &r->mend.flipper.build.scene.mesh;
+    paradt__scene *scene = &r->mend.flipper.build.scene;
+    paradt__mesh *mesh = &scene->mesh;
     const int corners = mesh->corners;
-    paradt_index end = (paradt_index)mesh->count * corners, handle, base;
-    int i;
-    paradt__facets ridges;
-    paradt_status status =
-        paradt__insertion_reserve(&r->mend.flipper.build, mesh->count + r->hull, mesh->count + r->hull);
-    if (status) return status;
-    status = paradt__facets_begin(&ridges, 0, 1, &r->memory);
-    for (handle = 0; handle < end && !status; handle++) {
-        paradt_index first = handle - handle % corners;
-        const int place = (int)(handle % corners);
-        if (mesh->links[handle] >= 0) continue;
-        base = (paradt_index)mesh->count++ * corners;
-        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
-            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
-                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
-        paradt__mesh_tie(mesh, handle, base + (place < 2 ? 1 - place : place));
-        if (paradt__side(&r->mend.flipper.build.scene, base / corners, place < 2 ? 1 - place : place, r->mend.inner) >=
-            0)
-            mesh->marks[base / corners] |= PARADT__WRONG;
-        status = paradt__facets_room(&ridges, (size_t)corners, &r->memory);
+    size_t ghost = mesh->count;
+    int infinite, i;
+    paradt_status status = paradt__insertion_reserve(&r->mend.flipper.build, ghost + r->hull, ghost + r->hull);
+    if (!status) status = paradt__given_ghosts(mesh, &r->memory);
+    for (; ghost < mesh->count && !status; ghost++) {
+        const paradt_index base = (paradt_index)ghost * corners;
+        infinite = paradt__ghost_place(mesh->vertices + base, corners);
+        if (paradt__side(scene, (paradt_index)ghost, infinite, r->mend.inner) >= 0) mesh->marks[ghost] |= PARADT__WRONG;
         for (i = 0; i < corners && !status; i++) {
-            if (mesh->vertices[base + i] == PARADT__INFINITE) continue;
-            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
-            status = paradt__list_append(&r->mend.facets, base + i, &r->memory);
+            if (i != infinite) status = paradt__list_append(&r->mend.facets, base + i, &r->memory);
         }
     }
-    if (!status && ridges.count) status = PARADT_ERROR_INVALID;
-    mesh->paged = mesh->count;
-    paradt__facets_free(&ridges, &r->memory);
     return status;
 }
 
@@ -19487,7 +20131,7 @@ static void paradt__repair_settle(paradt__repair *r, uint64_t *used) {
 }
 
 // Finds out how many of the hidden points are at the place of another, which makes them duplicates.
-static paradt_status paradt__repair_places(paradt__repair *r) {
+static paradt_status paradt__given_places(paradt__repair *r) {
     size_t ambient = (size_t)r->set.space.ambient, mask = 1, i, at;
     paradt_index *table;
     uint64_t repeated = 0;
@@ -19617,7 +20261,7 @@ static paradt_status paradt__repair_mend(paradt__repair *r) {
 #endif
     if (!status) paradt__repair_settle(r, used);
     paradt__release(&r->memory, used);
-    return status ? status : paradt__repair_places(r);
+    return status ? status : paradt__given_places(r);
 }
 
 // Hands the mesh back.
@@ -19736,7 +20380,7 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
 }
 #endif // PARADT_NO_FLIPS
 
-#ifndef PARADT_NO_MEASURES
+#if !defined(PARADT_NO_MEASURES) || !defined(PARADT_NO_VORONOI)
 // ---------------------------------------------------------------------------------------------------------------------
 // >>measures of a cell
 //
@@ -19758,7 +20402,8 @@ PARADT_DEF paradt_status paradt_repair(paradt_triangulation *t, const paradt_poi
 // The smallest sphere around a cell is that of a face which has the centre of its sphere in it, and the other vertices
 // inside the sphere. (The sphere of a face is the smallest through its vertices.) Floating point proposes a face, and
 // the signs of these conditions confirm it; where they don't, all faces are tried.
-// Doors: the public functions.
+// Doors: the public functions; paradt__face_begin, paradt__face_run, paradt__use_for_circumsphere,
+// paradt__integer_sign, paradt__quotient_round, struct paradt__integer, struct paradt__quotient.
 
 // Memory for all integers of a face. Differences have at most 2099 bits, lifts and entries of G 4202.
 //   small  Every face of up to 3 edges at a vertex in 3 dimensions fits: with k = 3 and digits of 60 bits 9 35 for u,
@@ -20072,7 +20717,7 @@ static double paradt__face_sphere(const paradt__face *face, double *centre) {
 }
 
 // Is the centre of a face that has been solved in the face? Its boundary is part of it.
-static int paradt__face_holds_centre(const paradt__face *face) {
+PARADT__OPTIONAL int paradt__face_holds_centre(const paradt__face *face) {
     static const paradt__digit one[] = {1};
     int length = paradt__face_length(face, 1), used = 0, i;
     for (i = 0; i < face->edges; i++) {
@@ -20086,7 +20731,7 @@ static int paradt__face_holds_centre(const paradt__face *face) {
 }
 
 // Where is x with regard to the sphere of a face that has been solved? 1: outside, 0: on it, -1: inside
-static int paradt__face_side(const paradt__face *face, const double *x) {
+PARADT__OPTIONAL int paradt__face_side(const paradt__face *face, const double *x) {
     int n = face->digits, row = face->dim * n, m = face->lift_digits, length = paradt__face_length(face, m);
     int used = 0, i;
     paradt__digit *v = face->work, *products = v + row, *work = products + (face->edges + 1) * m;
@@ -20141,6 +20786,20 @@ static int paradt__face_run(paradt__face *face, paradt__face_use use, void *out)
     return paradt__face_in_large(face, use, out);
 }
 
+// A sphere, and for the smallest around a cell which vertices are on it
+typedef struct paradt__sphere_of {
+    double *centre, radius2;
+    unsigned on;
+} paradt__sphere_of;
+
+static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
+    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
+    if (!paradt__face_solve(face)) return 0;
+    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
+    return 1;
+}
+
+#ifndef PARADT_NO_MEASURES
 // --- floating point
 
 // The signs of a face's solution in floating point
@@ -20292,19 +20951,6 @@ static unsigned paradt__guess_face(int dim, const double *const *points, int top
 
 // --- the public functions
 
-// A sphere, and for the smallest around a cell which vertices are on it
-typedef struct paradt__sphere_of {
-    double *centre, radius2;
-    unsigned on;
-} paradt__sphere_of;
-
-static int paradt__use_for_circumsphere(paradt__face *face, void *out) {
-    paradt__sphere_of *sphere = (paradt__sphere_of *)out;
-    if (!paradt__face_solve(face)) return 0;
-    sphere->radius2 = paradt__face_sphere(face, sphere->centre);
-    return 1;
-}
-
 PARADT_DEF int paradt_circumsphere(int dim, const double *const *points, const double *weights, double *centre,
                                    double *radius2) {
     paradt__face face;
@@ -20401,6 +21047,7842 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points) {
     return volume;
 }
 #endif // PARADT_NO_MEASURES
+#endif
+
+#if !defined(PARADT_NO_LOCATOR) || !defined(PARADT_NO_DYNAMIC)
+// ---------------------------------------------------------------------------------------------------------------------
+// >>location
+//
+// Where a place is in a scene: the lowest face that holds it. For those who ask without changing anything, at once from
+// any threads: each has a view, its own copy of the scene, which is small as all arrays are shared. The copy counts
+// calls of the predicates, and where a place is beyond what the scene has measured, its space is extended to it.
+//
+// The scene's mesh may be any that is sound: where it is no regular triangulation, walks give up instead of going in
+// circles. Doors: paradt__view_begin, paradt__view_admit, paradt__view_extend,
+// paradt__is_off_flat, paradt__place_in.
+
+typedef struct paradt__view {
+    paradt__scene scene;           // its space is the view's own
+    const paradt__space *measured; // the space of what the view is of
+    const paradt__space *wider;    // one that admits more; NULL: there is none
+    int extended;                  // the own space has been extended beyond both
+} paradt__view;
+
+// Begins a view. After that its owner may set `wider`.
+PARADT__OPTIONAL void paradt__view_begin(paradt__view *view, const paradt__scene *scene) {
+    view->scene = *scene;
+    view->measured = &scene->space;
+    view->wider = NULL;
+    view->extended = 0;
+}
+
+// Makes the predicates ready for two more points, or for one twice; not for those admitted before any more.
+PARADT__NOINLINE void paradt__view_extend(paradt__view *view, const double *x, const double *y) {
+    const paradt__space *bases[2] = {view->measured, view->wider};
+    paradt__space *space = &view->scene.space;
+    paradt__counters counters = space->counters;
+    double record[PARADT_MAX_DIM + 1];
+    int i;
+    view->extended = 1;
+    for (i = 0; i < 2 && view->extended && bases[i]; i++) {
+        *space = *bases[i];
+        view->extended = !(paradt__space_admits(space, x) && paradt__space_admits(space, y));
+    }
+    space->counters = counters;
+    if (!view->extended) return;
+    record[space->ambient] = 0;
+    memcpy(record, x, (size_t)space->ambient * sizeof *x);
+    paradt__space_add(space, record);
+    memcpy(record, y, (size_t)space->ambient * sizeof *y);
+    paradt__space_add(space, record);
+    if (space->dim > 0) paradt__space_end(space);
+}
+
+// Makes the predicates ready for one more point.
+PARADT__INLINE void paradt__view_admit(paradt__view *view, const double *x) {
+    if (!PARADT__LIKELY(!view->extended && paradt__space_admits(&view->scene.space, x)))
+        paradt__view_extend(view, x, x);
+}
+
+// Is x outside of the flat in which the points lie? cell: a finite one
+PARADT__NOINLINE int paradt__is_off_flat(paradt__view *view, paradt_index cell, const double *x) {
+    paradt__space *space = &view->scene.space;
+    const double *points[PARADT_MAX_DIM + 1];
+    const paradt_index *row = paradt__mesh_row(&view->scene.mesh, cell);
+    int axes[PARADT_MAX_DIM], axis;
+    for (axis = 0; axis <= space->dim; axis++) points[axis] = paradt__scene_record(&view->scene, row[axis]);
+    for (axis = 0; axis < space->dim; axis++) axes[axis] = axis;
+    for (; axis < space->ambient; axis++) {
+        axes[space->dim] = axis;
+        if (paradt__extends(&space->counters, space->dim, points, axes, x)) return 1;
+    }
+    return 0;
+}
+
+// Finds the cell that x is in, from any place near it on. x: admitted. *inside: a bit for each vertex of the face whose
+// interior holds x; 0: x is outside, and beyond a hull facet of the cell, or off the flat of the points. Returns
+// PARADT__OPEN where the mesh is no regular triangulation and the walk does not end.
+PARADT__OPTIONAL paradt_index paradt__place_in(paradt__view *view, paradt_index from, const double *x,
+                                               unsigned *inside) {
+    paradt__scene *scene = &view->scene;
+    const paradt__space *space = &scene->space;
+    size_t place;
+    int facet;
+    paradt_index cell;
+    if (space->dim == 0) { // one point is all there is
+        *inside = !paradt__is_off_flat(view, from, x);
+        return from;
+    }
+    cell = paradt__walk_any(scene, from, x, scene->mesh.count, inside);
+    if (cell < 0) return cell;
+    place = (size_t)cell;
+    paradt__mesh_behind_ghost(&scene->mesh, (size_t)scene->mesh.corners, &place, &facet);
+    if (space->dim < space->ambient && *inside && paradt__is_off_flat(view, (paradt_index)place, x)) *inside = 0;
+    return (paradt_index)place;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>starting cells
+//
+// Where to begin a search: a vertex near any place. Space is divided into buckets, each of which names a vertex in it
+// or, if it is empty, near it. A grid of buckets lies over the box of the points, and over each bucket with many points
+// another grid, and so on, so that clusters are divided as finely as they need it. A bucket is an index, of a vertex or
+// of the grid in it: about as many are there as half the points. Buckets are as long as wide, as far as halving allows:
+// the bits of a grid's buckets are dealt out among the axes, in any dimension.
+//
+// A bucket may be told of another vertex at any time. It is a hint and no more: whoever removes a vertex has the bucket
+// name another. After many more points have come the grids are to be made anew. Places outside of the box have the
+// buckets at its border.
+// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_centre, paradt__starts_put, paradt__starts_replace,
+// paradt__starts_free.
+
+enum {
+    PARADT__START_POINTS = 2,  // a bucket, on average
+    PARADT__START_CROWD = 24,  // more points in a bucket get a grid of their own,
+    PARADT__START_LEVELS = 10, // ... unless it is one of so many already, one in the other
+    PARADT__START_BITS = 30,   // of a grid, at most
+    PARADT__START_NOBODY = -1, // a bucket without a vertex; below that are those that have a grid
+    PARADT__START_GRID = -2    // less the number of the grid
+};
+
+// The buckets of a grid: 2^bits of each axis
+typedef struct paradt__start_grid {
+    size_t first;                       // its first bucket
+    unsigned char bits[PARADT_MAX_DIM]; // the last axis varies fastest
+    unsigned char all;                  // sum of the bits
+    uint16_t above[PARADT_MAX_DIM];     // bits of the grids around it
+    double corner[PARADT_MAX_DIM];      // its lower one, as a part of the box
+} paradt__start_grid;
+
+typedef struct paradt__starts {
+    int dim;
+    double low[PARADT_MAX_DIM], scale[PARADT_MAX_DIM]; // (x - low) * scale is from 0 to 1
+    double side[PARADT_MAX_DIM];                       // of the box, halved
+    paradt_index *buckets;
+    size_t bucket_count, bucket_capacity;
+    paradt__start_grid *grids;
+    size_t grid_count, grid_capacity;
+} paradt__starts;
+
+PARADT__OPTIONAL void paradt__starts_free(paradt__starts *starts, paradt__memory *memory) {
+    paradt__release(memory, starts->buckets);
+    paradt__release(memory, starts->grids);
+    memset(starts, 0, sizeof *starts);
+}
+
+// The bucket of a place, counted from the first. There is a grid.
+PARADT__INLINE size_t paradt__starts_bucket(const paradt__starts *starts, const double *x, int dim) {
+    const double most = 1 - 0.5 * PARADT__ROUNDOFF;
+    const paradt__start_grid *grid = starts->grids;
+    double part[PARADT_MAX_DIM];
+    int axis;
+    for (axis = 0; axis < dim; axis++) {
+        double place = (x[axis] - starts->low[axis]) * starts->scale[axis];
+        part[axis] = place > 0 ? place < most ? place : most : 0; // 0 for what is not a number, too
+    }
+    for (;;) {
+        size_t at = 0;
+        paradt_index found;
+        for (axis = 0; axis < dim; axis++) {
+            double place = part[axis] * (double)((uint32_t)1 << grid->bits[axis]);
+            uint32_t whole = (uint32_t)place;
+            part[axis] = place - (double)whole;
+            at = at << grid->bits[axis] | whole;
+        }
+        found = starts->buckets[grid->first + at];
+        if (found > PARADT__START_GRID) return grid->first + at;
+        grid = starts->grids + (PARADT__START_GRID - found);
+    }
+}
+
+PARADT__INLINE size_t paradt__starts_bucket_of(const paradt__starts *starts, const double *x) {
+    if (PARADT__IS(starts->dim, 3)) return paradt__starts_bucket(starts, x, 3);
+    if (starts->dim == 2) return paradt__starts_bucket(starts, x, 2);
+    return paradt__starts_bucket(starts, x, starts->dim);
+}
+
+// A vertex near a place, or -1: no points were given. *bucket: tells places apart that are not near each other
+PARADT__INLINE paradt_index paradt__starts_at(const paradt__starts *starts, const double *x, size_t *bucket) {
+    *bucket = 0;
+    if (!starts->grid_count) return -1;
+    *bucket = paradt__starts_bucket_of(starts, x);
+    return starts->buckets[*bucket];
+}
+
+// Names a vertex at x from now on.
+PARADT__OPTIONAL void paradt__starts_put(paradt__starts *starts, const double *x, paradt_index vertex) {
+    if (starts->grid_count) starts->buckets[paradt__starts_bucket_of(starts, x)] = vertex;
+}
+
+// Names another instead of a vertex at x that goes, if it is named there.
+PARADT__OPTIONAL void paradt__starts_replace(paradt__starts *starts, const double *x, paradt_index vertex,
+                                             paradt_index other) {
+    size_t bucket;
+    if (paradt__starts_at(starts, x, &bucket) == vertex && starts->grid_count) starts->buckets[bucket] = other;
+}
+
+// Fills the corner of bucket i of a grid, as a part of the box; centre: 0.5 for the bucket's centre, else 0
+static void paradt__starts_corner(const paradt__starts *starts, const paradt__start_grid *grid, size_t i, double centre,
+                                  double *corner) {
+    int axis;
+    for (axis = starts->dim - 1; axis >= 0; i >>= grid->bits[axis--])
+        corner[axis] = grid->corner[axis] + ((double)(i & (((size_t)1 << grid->bits[axis]) - 1)) + centre) *
+                                                paradt__power(-grid->above[axis] - grid->bits[axis]);
+}
+
+// Fills the centre of bucket i of a grid.
+PARADT__OPTIONAL void paradt__starts_centre(const paradt__starts *starts, const paradt__start_grid *grid, size_t i,
+                                            double *centre) {
+    int axis;
+    paradt__starts_corner(starts, grid, i, 0.5, centre);
+    for (axis = 0; axis < starts->dim; axis++)
+        centre[axis] = starts->low[axis] + starts->side[axis] * centre[axis] + starts->side[axis] * centre[axis];
+}
+
+// Adds a grid for so many points, without vertices. outer: the number of the grid in bucket i of which it is; -1: none
+static paradt_status paradt__starts_add(paradt__starts *starts, size_t points, ptrdiff_t outer, size_t i,
+                                        paradt__memory *memory) {
+    paradt__start_grid grid;
+    double side[PARADT_MAX_DIM];
+    paradt_status status;
+    int bits = paradt__bit_length(points / PARADT__START_POINTS), axis, longest;
+    memset(&grid, 0, sizeof grid);
+    if (outer >= 0) paradt__starts_corner(starts, starts->grids + outer, i, 0, grid.corner);
+    for (axis = 0; axis < starts->dim; axis++) {
+        if (outer >= 0)
+            grid.above[axis] = (uint16_t)(starts->grids[outer].above[axis] + starts->grids[outer].bits[axis]);
+        side[axis] = starts->side[axis] * paradt__power(-grid.above[axis]);
+    }
+    for (; bits > 0 && grid.all < PARADT__START_BITS; bits--) {
+        for (axis = 1, longest = 0; axis < starts->dim; axis++) longest = side[axis] > side[longest] ? axis : longest;
+        if (!(side[longest] > 0)) break;
+        side[longest] *= 0.5;
+        grid.bits[longest]++;
+        grid.all++;
+    }
+    grid.first = starts->bucket_count;
+    status = paradt__list_room(&starts->buckets, starts->bucket_count, &starts->bucket_capacity,
+                               starts->bucket_count + ((size_t)1 << grid.all), memory);
+    if (status) return status;
+    if (starts->grid_count == starts->grid_capacity) {
+        size_t capacity = 2 * starts->grid_capacity + 4;
+        void *grids = starts->grids;
+        if (!paradt__grow(memory, &grids, starts->grid_count, capacity, sizeof grid)) return PARADT_ERROR_MEMORY;
+        starts->grids = (paradt__start_grid *)grids;
+        starts->grid_capacity = capacity;
+    }
+    starts->grids[starts->grid_count++] = grid;
+    starts->bucket_count += (size_t)1 << grid.all;
+    for (; grid.first < starts->bucket_count; grid.first++) starts->buckets[grid.first] = PARADT__START_NOBODY;
+    return PARADT_OK;
+}
+
+// The points that buckets are to name
+typedef struct paradt__start_points {
+    const double *records;
+    size_t width, count;
+    const paradt_index *order; // [count] their positions; NULL: 0, 1, ...
+} paradt__start_points;
+
+PARADT__INLINE paradt_index paradt__start_point(const paradt__start_points *points, size_t i) {
+    return points->order ? points->order[i] : (paradt_index)i;
+}
+
+// Gives each crowded bucket of the grids from `grid` on a grid of its own.
+// crowds: how many points each bucket has, from the first of these grids on
+static paradt_status paradt__starts_divide(paradt__starts *starts, size_t grid, const paradt_index *crowds,
+                                           paradt__memory *memory) {
+    size_t end = starts->grid_count, from = starts->grids[grid].first, bucket, last;
+    for (; grid < end; grid++) {
+        bucket = starts->grids[grid].first;
+        last = bucket + ((size_t)1 << starts->grids[grid].all);
+        if (!starts->grids[grid].all) continue; // it divides nothing
+        for (; bucket < last; bucket++) {
+            paradt_status status;
+            if (crowds[bucket - from] <= PARADT__START_CROWD) continue;
+            status = paradt__starts_add(starts, (size_t)crowds[bucket - from], (ptrdiff_t)grid,
+                                        bucket - starts->grids[grid].first, memory);
+            if (status) return status;
+            starts->buckets[bucket] = PARADT__START_GRID - (paradt_index)(starts->grid_count - 1);
+        }
+    }
+    return PARADT_OK;
+}
+
+// Makes the grids: level after level, until no bucket is crowded.
+static paradt_status paradt__starts_refine(paradt__starts *starts, const paradt__start_points *points,
+                                           paradt__memory *memory, paradt__meter *meter) {
+    size_t grid = 0, from, i;
+    paradt_status status = paradt__starts_add(starts, points->count, -1, 0, memory);
+    int level;
+    for (level = 1; level <= PARADT__START_LEVELS && !status && grid < starts->grid_count; level++) {
+        size_t before = starts->grid_count;
+        paradt_index *crowds;
+        from = starts->grids[grid].first;
+        crowds = (paradt_index *)paradt__alloc_filled(memory, starts->bucket_count - from, sizeof *crowds);
+        if (!crowds) return PARADT_ERROR_MEMORY;
+        memset(crowds, 0, (starts->bucket_count - from) * sizeof *crowds);
+        for (i = 0; i < points->count; i++) {
+            size_t point = (size_t)paradt__start_point(points, i);
+            size_t bucket = paradt__starts_bucket_of(starts, points->records + point * points->width);
+            if (i % PARADT__PACE == 0 && meter && paradt__meter_cancels(meter)) {
+                status = PARADT_ERROR_CANCELLED;
+                break;
+            }
+            if (bucket >= from) crowds[bucket - from]++;
+        }
+        if (!status) status = paradt__starts_divide(starts, grid, crowds, memory);
+        paradt__release(memory, crowds);
+        grid = before;
+    }
+    return status;
+}
+
+// A vertex that a bucket names, or one in the grid over it, which is filled already
+static paradt_index paradt__starts_any(const paradt__starts *starts, size_t bucket) {
+    while (starts->buckets[bucket] <= PARADT__START_GRID) {
+        const paradt__start_grid *grid = starts->grids + (PARADT__START_GRID - starts->buckets[bucket]);
+        bucket = grid->first + ((size_t)1 << grid->all) / 2;
+    }
+    return starts->buckets[bucket];
+}
+
+// Has empty buckets of a grid name a vertex of the next one that is not empty along an axis, axis after axis.
+static void paradt__starts_fill(paradt__starts *starts, const paradt__start_grid *grid) {
+    size_t all = (size_t)1 << grid->all, i;
+    paradt_index *buckets = starts->buckets + grid->first;
+    int axis, shift = 0;
+    for (axis = starts->dim - 1; axis >= 0; shift += grid->bits[axis--]) {
+        size_t step = (size_t)1 << shift, last = (((size_t)1 << grid->bits[axis]) - 1) << shift;
+        for (i = 0; i < all; i++) {
+            if (buckets[i] == PARADT__START_NOBODY && i & last)
+                buckets[i] = paradt__starts_any(starts, grid->first + i - step);
+        }
+        for (i = all; i-- > 0;) {
+            if (buckets[i] == PARADT__START_NOBODY && (i & last) != last)
+                buckets[i] = paradt__starts_any(starts, grid->first + i + step);
+        }
+    }
+}
+
+// Makes zeroed starts of points of `dim` coordinates. meter: NULL, or asked now and then. After an error the caller
+// frees them.
+PARADT__OPTIONAL paradt_status paradt__starts_make(paradt__starts *starts, const paradt__start_points *points, int dim,
+                                                   paradt__memory *memory, paradt__meter *meter) {
+    double high[PARADT_MAX_DIM];
+    paradt_status status;
+    size_t i;
+    int axis;
+    if (!points->count) return PARADT_OK;
+    starts->dim = dim;
+    for (i = 0; i < points->count; i++) {
+        const double *x = points->records + (size_t)paradt__start_point(points, i) * points->width;
+        for (axis = 0; axis < dim; axis++) {
+            if (!i || x[axis] < starts->low[axis]) starts->low[axis] = x[axis];
+            if (!i || x[axis] > high[axis]) high[axis] = x[axis];
+        }
+    }
+    for (axis = 0; axis < dim; axis++) {
+        starts->side[axis] = high[axis] * 0.5 - starts->low[axis] * 0.5;
+        starts->scale[axis] = starts->side[axis] > 0 ? 0.5 / starts->side[axis] : 0;
+    }
+    status = paradt__starts_refine(starts, points, memory, meter);
+    if (status) return status;
+    for (i = 0; i < points->count; i++) {
+        paradt_index point = paradt__start_point(points, i);
+        paradt__starts_put(starts, points->records + (size_t)point * points->width, point);
+    }
+    for (i = starts->grid_count; i-- > 0;) paradt__starts_fill(starts, starts->grids + i);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>distances
+//
+// Which of two vertices is nearer to a place x: of the smaller power |x - p|^2 - w, or of the smaller distance where
+// there are no weights; ties are broken by the lexicographic order. A power is computed in doubles with a bound on its
+// error; where that leaves it open which is smaller, the difference is computed in integers.
+//
+// The bound: each square has been rounded three times, the sum of d <= 8 squares and the weight eight times at most, so
+// the error is less than 12 roundoffs times the sum of the sizes, to first order; twice that covers the higher orders
+// and the rounding of the bound itself. Underflow is covered by the space's `tiny`. The place must be admitted, and the
+// space's filters tell whether anything could overflow: without them all is done in integers.
+// Doors: paradt__power_at, paradt__compare_powers, paradt__compare_radius.
+
+#define PARADT__POWER_FACTOR (24 * PARADT__ROUNDOFF)
+
+typedef struct paradt__power_of {
+    double value, error; // the true power is within `error` of the value
+    paradt_index vertex;
+} paradt__power_of;
+
+// The power of x to a vertex. weighted: weights take part
+PARADT__INLINE paradt__power_of paradt__power_at(const paradt__scene *scene, const double *x, paradt_index vertex,
+                                                 int ambient, int weighted) {
+    const double *p = paradt__scene_record(scene, vertex);
+    paradt__power_of power;
+    double sum = 0, size;
+    int axis;
+    for (axis = 0; axis < ambient; axis++) sum += (x[axis] - p[axis]) * (x[axis] - p[axis]);
+    size = weighted ? sum + paradt__abs(p[ambient]) : sum;
+    power.value = weighted ? sum - p[ambient] : sum;
+    power.error = PARADT__POWER_FACTOR * size + scene->space.tiny;
+    power.vertex = vertex;
+    return power;
+}
+
+enum {
+    // digits of a difference of two doubles, and of a sum of 17 squares of such
+    PARADT__DISTANCE_DIGITS = (1024 + 1074 + 1) / PARADT__RADIX + 1,
+    PARADT__SQUARES_DIGITS = (2 * (1024 + 1074 + 1) + 5) / PARADT__RADIX + 2
+};
+
+// A sum of signed squares, in integers
+typedef struct paradt__squares {
+    int unit, digits; // of the differences,
+    int lift_unit;    // of the sum,
+    int sum_digits;   // and its digits
+    int used;         // products since the last carries
+    paradt__wide sum[PARADT__SQUARES_DIGITS];
+} paradt__squares;
+
+// Begins an empty sum for numbers in these ranges: of what is squared, and of weights.
+static void paradt__squares_begin(paradt__squares *s, const paradt__range *x, const paradt__range *w) {
+    int bits;
+    s->unit = paradt__min(x->unit, x->top);
+    bits = paradt__max(x->top, s->unit) + 1 - s->unit;
+    s->digits = paradt__digit_count(bits);
+    s->lift_unit = 2 * s->unit;
+    if (w->unit < s->lift_unit)
+        s->lift_unit -= (s->lift_unit - w->unit + PARADT__RADIX - 1) / PARADT__RADIX * PARADT__RADIX;
+    bits = paradt__max(2 * (s->unit + bits) + 5, w->top + 2) - s->lift_unit;
+    s->sum_digits = paradt__digit_count(bits);
+    s->used = 8; // the weights add less than 8 products
+    PARADT_ASSERT(s->digits <= PARADT__DISTANCE_DIGITS && s->sum_digits <= PARADT__SQUARES_DIGITS);
+    paradt__clear_any(s->sum, s->sum_digits);
+}
+
+// Adds sign * (a - b)^2.
+static void paradt__squares_add(paradt__squares *s, int sign, double a, double b) {
+    const int offset = (2 * s->unit - s->lift_unit) / PARADT__RADIX;
+    paradt__wide difference[PARADT__DISTANCE_DIGITS];
+    paradt__digit digits[PARADT__DISTANCE_DIGITS];
+    paradt__clear_any(difference, s->digits);
+    paradt__add_difference(difference, 1, a, b, s->unit);
+    paradt__store_any(digits, difference, s->digits);
+    paradt__make_room(s->sum, s->sum_digits, &s->used, s->digits);
+    paradt__multiply_add_any(s->sum + offset, sign, digits, s->digits, digits, s->digits);
+}
+
+static int paradt__squares_sign(const paradt__squares *s) {
+    paradt__digit digits[PARADT__SQUARES_DIGITS];
+    paradt__store_any(digits, s->sum, s->sum_digits);
+    return paradt__sign(digits, s->sum_digits);
+}
+
+// The sign of the power of x to the vertex a less that to b
+PARADT__NOINLINE int paradt__exact_powers(const paradt__scene *scene, const double *x, paradt_index a, paradt_index b,
+                                          int weighted) {
+    const double *p = paradt__scene_record(scene, a), *q = paradt__scene_record(scene, b);
+    const int ambient = scene->space.ambient;
+    paradt__range coordinates = paradt__no_range, weights = paradt__no_range;
+    paradt__squares s;
+    int axis;
+    for (axis = 0; axis < ambient; axis++) {
+        paradt__measure(&coordinates, x[axis]);
+        paradt__measure(&coordinates, p[axis]);
+        paradt__measure(&coordinates, q[axis]);
+    }
+    if (weighted) {
+        paradt__measure(&weights, p[ambient]);
+        paradt__measure(&weights, q[ambient]);
+    }
+    paradt__squares_begin(&s, &coordinates, &weights);
+    for (axis = 0; axis < ambient; axis++) {
+        paradt__squares_add(&s, 1, x[axis], p[axis]);
+        paradt__squares_add(&s, -1, x[axis], q[axis]);
+    }
+    if (weighted) paradt__add_difference(s.sum, -1, p[ambient], q[ambient], s.lift_unit);
+    return paradt__squares_sign(&s);
+}
+
+// Decides what the powers' values leave open.
+PARADT__NOINLINE int paradt__compare_close_powers(const paradt__scene *scene, const double *x,
+                                                  const paradt__power_of *a, const paradt__power_of *b, int weighted) {
+    const paradt__space *space = &scene->space;
+    int sign = 1;
+    if (a->vertex == b->vertex) return 0;
+    if (space->bounded) { // a difference less than its quantum is 0
+        int unit = 2 * space->coordinates.unit;
+        if (weighted) unit = paradt__min(unit, space->weights.unit);
+        if (paradt__abs(a->value - b->value) + 2 * (a->error + b->error) < paradt__quantum(unit)) sign = 0;
+    }
+    if (sign) sign = paradt__exact_powers(scene, x, a->vertex, b->vertex, weighted);
+    return sign
+               ? sign
+               : paradt__compare(space, paradt__scene_record(scene, a->vertex), paradt__scene_record(scene, b->vertex));
+}
+
+// Is a nearer to x than b (-1), or b (1)? 0: they are one vertex
+PARADT__INLINE int paradt__compare_powers(const paradt__scene *scene, const double *x, const paradt__power_of *a,
+                                          const paradt__power_of *b, int weighted) {
+    double difference = a->value - b->value, error = 2 * (a->error + b->error);
+    if (PARADT__LIKELY((difference > error || difference < -error) && scene->space.bounded))
+        return difference > 0 ? 1 : -1;
+    return paradt__compare_close_powers(scene, x, a, b, weighted);
+}
+
+// The sign of the distance of x from a vertex less the radius, which is not negative and finite
+PARADT__OPTIONAL int paradt__compare_radius(const paradt__scene *scene, const double *x, paradt_index vertex,
+                                            double radius) {
+    const double *p = paradt__scene_record(scene, vertex);
+    const int ambient = scene->space.ambient;
+    paradt__power_of power = paradt__power_at(scene, x, vertex, ambient, 0);
+    paradt__range range = paradt__no_range;
+    paradt__squares s;
+    int axis;
+    if (scene->space.bounded && radius < paradt__power(500)) {
+        double difference = power.value - radius * radius;
+        double error = 2 * (power.error + PARADT__POWER_FACTOR * radius * radius);
+        if (difference > error || difference < -error) return difference > 0 ? 1 : -1;
+    }
+    paradt__measure(&range, radius);
+    for (axis = 0; axis < ambient; axis++) {
+        paradt__measure(&range, x[axis]);
+        paradt__measure(&range, p[axis]);
+    }
+    paradt__squares_begin(&s, &range, &paradt__no_range);
+    for (axis = 0; axis < ambient; axis++) paradt__squares_add(&s, 1, x[axis], p[axis]);
+    paradt__squares_add(&s, -1, radius, 0);
+    return paradt__squares_sign(&s);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>nearest
+//
+// The vertex of the smallest power to a place, in any scene: greedy descent. In T(P) a vertex that is not the one has a
+// neighbour that is nearer, because lifted to |p|^2 - w the cells are a convex function, and so they are with any
+// affine function added, here that of the power to x; a vertex where it is not smallest has an edge along which it
+// falls. The same holds among equally near ones for the lexicographic order, an affine function of infinitesimal
+// weights: so the descent ends at the first of them. The neighbours come from the cells around the vertex.
+//
+// Nothing is written but on the stack. Only where a vertex has more cells than PARADT__STAR_CELLS memory is needed; if
+// there is none, all cells are looked at.
+// Doors: paradt__nearest_in, paradt__seen_add, paradt__seen_clear, paradt__seen_free.
+
+// A set of indices that are not negative, in the order in which they came
+typedef struct paradt__seen {
+    paradt__list items;
+    paradt_index *table; // [slots] hashed; PARADT__OPEN: free
+    size_t slots;        // a power of two, or 0
+} paradt__seen;
+
+PARADT__INLINE size_t paradt__seen_slot(const paradt__seen *seen, paradt_index item) {
+    return (size_t)(((uint64_t)item * UINT64_C(0x9e3779b97f4a7c15)) >> 32) & (seen->slots - 1);
+}
+
+static paradt_status paradt__seen_grow(paradt__seen *seen, paradt__memory *memory) {
+    size_t slots = seen->slots ? 2 * seen->slots : 128, i, at;
+    paradt_index *table = (paradt_index *)paradt__alloc(memory, slots, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < slots; i++) table[i] = PARADT__OPEN;
+    paradt__release(memory, seen->table);
+    seen->table = table;
+    seen->slots = slots;
+    for (i = 0; i < seen->items.count; i++) {
+        for (at = paradt__seen_slot(seen, seen->items.items[i]); table[at] >= 0;) at = (at + 1) & (slots - 1);
+        table[at] = seen->items.items[i];
+    }
+    return PARADT_OK;
+}
+
+// Adds an item. *fresh: it was not there before
+PARADT__INLINE paradt_status paradt__seen_add(paradt__seen *seen, paradt_index item, int *fresh,
+                                              paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    size_t at;
+    if (2 * seen->items.count >= seen->slots) status = paradt__seen_grow(seen, memory);
+    if (status) return status;
+    *fresh = 0;
+    for (at = paradt__seen_slot(seen, item); seen->table[at] != item; at = (at + 1) & (seen->slots - 1)) {
+        if (seen->table[at] >= 0) continue;
+        status = paradt__list_append(&seen->items, item, memory);
+        if (status) return status;
+        seen->table[at] = item;
+        *fresh = 1;
+        break;
+    }
+    return PARADT_OK;
+}
+
+// Empties the set, in the time that its items took.
+PARADT__OPTIONAL void paradt__seen_clear(paradt__seen *seen) {
+    size_t i, at;
+    for (i = 0; i < seen->items.count; i++) {
+        for (at = paradt__seen_slot(seen, seen->items.items[i]); seen->table[at] != seen->items.items[i];)
+            at = (at + 1) & (seen->slots - 1);
+        seen->table[at] = PARADT__OPEN;
+    }
+    seen->items.count = 0;
+}
+
+static void paradt__seen_free(paradt__seen *seen, paradt__memory *memory) {
+    paradt__list_free(&seen->items, memory);
+    paradt__release(memory, seen->table);
+    memset(seen, 0, sizeof *seen);
+}
+
+// The best vertex so far, and a cell that has it
+typedef struct paradt__candidate {
+    paradt__power_of power;
+    paradt_index cell;
+} paradt__candidate;
+
+static void paradt__candidate_try(const paradt__scene *scene, const double *x, paradt_index vertex, paradt_index cell,
+                                  paradt__candidate *best) {
+    const int weighted = scene->space.weighted;
+    paradt__power_of power;
+    if (vertex < 0 || vertex == best->power.vertex) return;
+    power = paradt__power_at(scene, x, vertex, scene->space.ambient, weighted);
+    if (best->power.vertex >= 0 && paradt__compare_powers(scene, x, &power, &best->power, weighted) > 0) return;
+    best->power = power;
+    best->cell = cell;
+}
+
+// Tries all vertices of a cell or ghost; at a free place there are none.
+static void paradt__candidate_try_cell(const paradt__scene *scene, const double *x, paradt_index cell,
+                                       paradt__candidate *best) {
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    int i;
+    if (row[0] == PARADT__DEAD) return;
+    for (i = 0; i < scene->mesh.corners; i++) paradt__candidate_try(scene, x, row[i], cell, best);
+}
+
+// Tries the neighbours of the best vertex, of whatever number.
+static paradt_status paradt__candidate_try_all_around(const paradt__scene *scene, const double *x,
+                                                      paradt__candidate *best, paradt__memory *memory) {
+    const paradt__mesh *mesh = &scene->mesh;
+    const paradt_index vertex = best->power.vertex, corners = mesh->corners;
+    paradt__seen star;
+    paradt_status status;
+    size_t next;
+    int fresh;
+    memset(&star, 0, sizeof star);
+    status = paradt__seen_add(&star, best->cell, &fresh, memory);
+    for (next = 0; next < star.items.count && !status; next++) {
+        const paradt_index base = star.items.items[next] * corners;
+        paradt_index i;
+        paradt__candidate_try_cell(scene, x, star.items.items[next], best);
+        for (i = base; i < base + corners && !status; i++) {
+            if (mesh->vertices[i] != vertex) status = paradt__seen_add(&star, mesh->links[i] / corners, &fresh, memory);
+        }
+    }
+    paradt__seen_free(&star, memory);
+    return status;
+}
+
+// Returns the vertex that is nearest to x; of equally near ones the first in lexicographic order. cell: one near x, not
+// a ghost; x: admitted.
+PARADT__OPTIONAL paradt_index paradt__nearest_in(const paradt__view *view, paradt_index cell, const double *x,
+                                                 paradt__memory *memory) {
+    const paradt__scene *scene = &view->scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt__star star;
+    paradt__candidate best;
+    paradt_index vertex = PARADT__NOWHERE;
+    size_t i;
+    memset(&best, 0, sizeof best);
+    best.power.vertex = -1;
+    paradt__candidate_try_cell(scene, x, cell, &best);
+    while (best.power.vertex != vertex && scene->space.dim > 0) {
+        vertex = best.power.vertex;
+        paradt__star_of(mesh, best.cell, vertex, &star);
+        for (i = 0; i < star.count; i++) {
+            paradt_index handle = star.handles[i];
+            paradt__candidate_try(scene, x, mesh->vertices[handle], handle / mesh->corners, &best);
+        }
+        if (best.power.vertex != vertex || star.count <= PARADT__STAR_CELLS) continue;
+        if (!paradt__candidate_try_all_around(scene, x, &best, memory)) continue;
+        for (i = 0; i < mesh->count; i++) paradt__candidate_try_cell(scene, x, (paradt_index)i, &best);
+        break;
+    }
+    return best.power.vertex;
+}
+#endif // PARADT_NO_LOCATOR and PARADT_NO_DYNAMIC
+
+#ifndef PARADT_NO_LOCATOR
+// ---------------------------------------------------------------------------------------------------------------------
+// >>adjacency
+//
+// Which cells a vertex has, and which vertices it has edges with, as lists end to end. They are made from the rows of
+// the cells alone: the cells of each vertex by counting, its neighbours by marking each when it is met first. Lists of
+// neighbours become ascending by being transposed: the relation is symmetric.
+// Doors: paradt__relation_of_cells, paradt__relation_of_neighbors, paradt__relation_free; the public functions.
+
+typedef struct paradt__relation {
+    size_t *first;       // [points + 1] where each list begins, and the end of the last
+    paradt_index *items; // [first[points]]
+} paradt__relation;
+
+static void paradt__relation_free(paradt__relation *lists, paradt__memory *memory) {
+    paradt__release(memory, lists->first);
+    paradt__release(memory, lists->items);
+    memset(lists, 0, sizeof *lists);
+}
+
+// Makes room for an item in each list that it is counted for, in first[list + 1].
+static paradt_status paradt__relation_sum(paradt__relation *lists, size_t points, paradt__memory *memory) {
+    size_t i;
+    for (i = 0; i < points; i++) lists->first[i + 1] += lists->first[i];
+    lists->items = (paradt_index *)paradt__alloc(memory, lists->first[points], sizeof *lists->items);
+    return lists->items ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// After first[list] has moved to the end of each list as it was filled, moves it to the beginning again.
+static void paradt__relation_rewind(paradt__relation *lists, size_t points) {
+    memmove(lists->first + 1, lists->first, points * sizeof *lists->first);
+    lists->first[0] = 0;
+}
+
+// Lists the cells of each point, ascending. INVALID: a vertex is no point. After an error the caller frees the lists.
+static paradt_status paradt__relation_of_cells(paradt__relation *lists, const paradt_index *cells, size_t count,
+                                               int corners, size_t points, paradt__memory *memory) {
+    size_t all = count * (size_t)corners, i;
+    paradt_status status;
+    lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
+    if (!lists->first) return PARADT_ERROR_MEMORY;
+    memset(lists->first, 0, (points + 1) * sizeof *lists->first);
+    for (i = 0; i < all; i++) {
+        if ((paradt__tag)cells[i] >= (paradt__tag)points) return PARADT_ERROR_INVALID;
+        lists->first[cells[i] + 1]++;
+    }
+    status = paradt__relation_sum(lists, points, memory);
+    if (status) return status;
+    for (i = 0; i < all; i++) lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    paradt__relation_rewind(lists, points);
+    return PARADT_OK;
+}
+
+// Lists the neighbours of each point, in any order. cells_of: the cells of each. meter: asked now and then. After an
+// error the caller frees the lists.
+static paradt_status paradt__relation_of_neighbors(paradt__relation *lists, const paradt__relation *cells_of,
+                                                   const paradt_index *cells, int corners, size_t points,
+                                                   paradt__memory *memory, paradt__meter *meter) {
+    enum { AHEAD = 8 };
+    paradt_index *met = (paradt_index *)paradt__alloc(memory, points, sizeof *met);
+    paradt__list items;
+    paradt_status status = PARADT_OK;
+    size_t i, j;
+    int k;
+    memset(&items, 0, sizeof items);
+    lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
+    if (!met || !lists->first) status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < points && met; i++) met[i] = -1;
+    for (i = 0; i < points && !status; i++) {
+        lists->first[i] = items.count;
+        if (i % PARADT__PACE == 0 && paradt__meter_cancels(meter)) status = PARADT_ERROR_CANCELLED;
+        if (cells_of->first[i] < cells_of->first[i + 1]) met[i] = (paradt_index)i;
+        for (j = cells_of->first[i]; j < cells_of->first[i + 1] && !status; j++) {
+            const paradt_index *row = cells + (size_t)cells_of->items[j] * (size_t)corners;
+            if (j + AHEAD < cells_of->first[points])
+                PARADT__FETCH(cells, (size_t)cells_of->items[j + AHEAD] * (size_t)corners);
+            status =
+                paradt__list_room(&items.items, items.count, &items.capacity, items.count + (size_t)corners, memory);
+            for (k = 0; k < corners && !status; k++) {
+                if (met[row[k]] == (paradt_index)i) continue;
+                met[row[k]] = (paradt_index)i;
+                items.items[items.count++] = row[k];
+            }
+        }
+    }
+    paradt__release(memory, met);
+    lists->items = items.items;
+    if (lists->first) lists->first[points] = items.count;
+    if (!status && !items.items) lists->items = (paradt_index *)paradt__alloc(memory, 0, sizeof *lists->items);
+    return status || lists->items ? status : PARADT_ERROR_MEMORY;
+}
+
+// Makes ascending lists of neighbours of others.
+static paradt_status paradt__relation_transpose(paradt__relation *to, const paradt__relation *from, size_t points,
+                                                paradt__memory *memory) {
+    size_t i, j;
+    to->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *to->first);
+    to->items = (paradt_index *)paradt__alloc(memory, from->first[points], sizeof *to->items);
+    if (!to->first || !to->items) return PARADT_ERROR_MEMORY;
+    memcpy(to->first, from->first, (points + 1) * sizeof *to->first);
+    for (i = 0; i < points; i++) {
+        for (j = from->first[i]; j < from->first[i + 1]; j++) to->items[to->first[from->items[j]]++] = (paradt_index)i;
+    }
+    paradt__relation_rewind(to, points);
+    return PARADT_OK;
+}
+
+// Lists the edges, of two vertices each. *count: their number
+static paradt_status paradt__relation_of_edges(paradt__relation *to, const paradt__relation *from, size_t points,
+                                               size_t *count, paradt__memory *memory) {
+    size_t edges = from->first[points] / 2, i, j, at = 0;
+    to->first = (size_t *)paradt__alloc(memory, edges + 1, sizeof *to->first);
+    to->items = (paradt_index *)paradt__alloc(memory, 2 * edges, sizeof *to->items);
+    if (!to->first || !to->items) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < points; i++) {
+        for (j = from->first[i]; j < from->first[i + 1]; j++) {
+            if (from->items[j] <= (paradt_index)i) continue;
+            to->items[at++] = (paradt_index)i;
+            to->items[at++] = from->items[j];
+        }
+    }
+    PARADT_ASSERT(at == 2 * edges);
+    for (i = 0; i <= edges; i++) to->first[i] = 2 * i;
+    *count = edges;
+    return PARADT_OK;
+}
+
+// Makes the lists that are wanted. *count: their number
+static paradt_status paradt__adjacency_make(paradt__relation *lists, const paradt_triangulation *t,
+                                            paradt_adjacent what, size_t *count, paradt__memory *memory) {
+    paradt__relation cells, neighbors;
+    paradt__meter meter;
+    paradt_status status;
+    memset(&cells, 0, sizeof cells);
+    memset(&neighbors, 0, sizeof neighbors);
+    paradt__meter_begin(&meter, NULL);
+    *count = t->point_count;
+    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory);
+    if (what == PARADT_VERTEX_CELLS) {
+        *lists = cells;
+        return status;
+    }
+    if (!status)
+        status = paradt__relation_of_neighbors(&neighbors, &cells, t->cells, t->dim + 1, *count, memory, &meter);
+    paradt__relation_free(&cells, memory);
+    if (!status) status = paradt__relation_transpose(what == PARADT_EDGES ? &cells : lists, &neighbors, *count, memory);
+    paradt__relation_free(&neighbors, memory);
+    if (!status && what == PARADT_EDGES) status = paradt__relation_of_edges(lists, &cells, *count, count, memory);
+    paradt__relation_free(&cells, memory);
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_adjacency_compute(paradt_adjacency *out, const paradt_triangulation *t,
+                                                  paradt_adjacent what, const paradt_options *options) {
+    paradt__memory memory;
+    paradt__relation lists;
+    paradt_status status;
+    size_t count = 0;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    memset(out, 0, sizeof *out);
+    if (!t || (unsigned)what > PARADT_EDGES || t->dim < -1 || t->dim > PARADT_MAX_DIM ||
+        (t->cell_count && (!t->cells || t->dim < 0)) || (options && paradt__options_fault(options)))
+        return PARADT_ERROR_ARGUMENT;
+    if (t->point_count > paradt__most_cells(2)) return PARADT_ERROR_TOO_LARGE;
+    memset(&lists, 0, sizeof lists);
+    paradt__memory_begin(&memory, options);
+    status = paradt__adjacency_make(&lists, t, what, &count, &memory);
+    if (status) {
+        paradt__relation_free(&lists, &memory);
+        return status;
+    }
+    out->count = count;
+    out->first = lists.first;
+    out->items = lists.items;
+    out->allocator = memory.allocator;
+    return PARADT_OK;
+}
+
+PARADT_DEF void paradt_adjacency_free(paradt_adjacency *adjacency) {
+    paradt__memory memory;
+    paradt_options options;
+    if (!adjacency) return;
+    memset(&options, 0, sizeof options);
+    options.allocator = adjacency->allocator;
+    paradt__memory_begin(&memory, &options);
+    paradt__release(&memory, adjacency->first);
+    paradt__release(&memory, adjacency->items);
+    memset(adjacency, 0, sizeof *adjacency);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>searches among neighbours
+//
+// The nearest vertex, the k nearest, and those in a ball, where the neighbours of each vertex are listed. All rest on
+// what >>nearest says of the descent: every vertex but the first has a neighbour that comes before it, in the order of
+// powers and, among equal ones, the lexicographic order. So the vertices up to any one in this order hang together, and
+// the next is always a neighbour of one of them. Vertices in a ball of radius r have powers of at most r^2 less the
+// least weight, and are looked for among these.
+// Doors: paradt__descend, paradt__first_some, paradt__in_ball, paradt__scratch_of, paradt__scratch_done; the public
+// function.
+
+// Returns the first vertex in the order of powers. vertex: one nearby to begin with
+PARADT__INLINE paradt_index paradt__descend_any(const paradt__scene *scene, const paradt__relation *neighbors,
+                                                const double *x, paradt_index vertex, int ambient, int weighted) {
+    paradt__power_of best = paradt__power_at(scene, x, vertex, ambient, weighted);
+    do {
+        const paradt_index *at = neighbors->items + neighbors->first[vertex = best.vertex], *item;
+        const paradt_index *end = neighbors->items + neighbors->first[vertex + 1];
+        for (item = at; item < end; item++) PARADT__FETCH(scene->records, (size_t)*item * scene->width);
+        for (item = at; item < end; item++) {
+            paradt__power_of power = paradt__power_at(scene, x, *item, ambient, weighted);
+            if (paradt__compare_powers(scene, x, &power, &best, weighted) < 0) best = power;
+        }
+    } while (best.vertex != vertex);
+    return vertex;
+}
+
+static paradt_index paradt__descend(const paradt__scene *scene, const paradt__relation *neighbors, const double *x,
+                                    paradt_index vertex) {
+    const int ambient = scene->space.ambient, weighted = scene->space.weighted;
+    if (PARADT__IS(ambient, 3) && !weighted) return paradt__descend_any(scene, neighbors, x, vertex, 3, 0);
+    if (ambient == 2 && !weighted) return paradt__descend_any(scene, neighbors, x, vertex, 2, 0);
+    return paradt__descend_any(scene, neighbors, x, vertex, ambient, weighted);
+}
+
+// What searches of one thread keep: the block of paradt_work
+typedef struct paradt__scratch {
+    paradt__memory memory;
+    paradt__seen seen;      // vertices
+    paradt__power_of *heap; // [heap_capacity] those not taken yet: a heap, the first in the order on top
+    size_t heap_count, heap_capacity;
+    paradt__list found;    // what was found
+    paradt__keyed *sorted; // [2 * sorted_capacity] for sorting it
+    size_t sorted_capacity;
+} paradt__scratch;
+
+// Returns the scratch of a work, emptied; NULL: there is no memory
+static paradt__scratch *paradt__scratch_of(paradt_work *work) {
+    paradt__scratch *scratch = (paradt__scratch *)work->block;
+    if (!scratch) {
+        paradt_options options;
+        paradt__memory memory;
+        memset(&options, 0, sizeof options);
+        options.allocator = work->allocator;
+        paradt__memory_begin(&memory, &options);
+        scratch = (paradt__scratch *)paradt__alloc(&memory, 1, sizeof *scratch);
+        if (!scratch) return NULL;
+        memset(scratch, 0, sizeof *scratch);
+        scratch->memory = memory;
+        work->block = scratch;
+    }
+    paradt__seen_clear(&scratch->seen);
+    scratch->heap_count = scratch->found.count = 0;
+    return scratch;
+}
+
+static void paradt__scratch_done(const paradt__scratch *scratch, paradt_work *work) {
+    work->size = (size_t)scratch->memory.held;
+}
+
+PARADT_DEF void paradt_work_free(paradt_work *work) {
+    paradt__scratch *scratch = work ? (paradt__scratch *)work->block : NULL;
+    paradt__memory memory;
+    if (!scratch) return;
+    memory = scratch->memory;
+    paradt__seen_free(&scratch->seen, &memory);
+    paradt__list_free(&scratch->found, &memory);
+    paradt__release(&memory, scratch->heap);
+    paradt__release(&memory, scratch->sorted);
+    paradt__release(&memory, scratch);
+    work->block = NULL;
+    work->size = 0;
+}
+
+// Puts a vertex onto the heap, if it is seen for the first time.
+static paradt_status paradt__heap_push(paradt__scratch *scratch, const paradt__scene *scene, const double *x,
+                                       paradt_index vertex) {
+    const int weighted = scene->space.weighted;
+    paradt__power_of power;
+    size_t at, up;
+    int fresh;
+    paradt_status status = paradt__seen_add(&scratch->seen, vertex, &fresh, &scratch->memory);
+    if (status || !fresh) return status;
+    if (scratch->heap_count == scratch->heap_capacity) {
+        void *heap = scratch->heap;
+        size_t capacity = 2 * scratch->heap_capacity + 32;
+        if (!paradt__grow(&scratch->memory, &heap, scratch->heap_count, capacity, sizeof *scratch->heap))
+            return PARADT_ERROR_MEMORY;
+        scratch->heap = (paradt__power_of *)heap;
+        scratch->heap_capacity = capacity;
+    }
+    power = paradt__power_at(scene, x, vertex, scene->space.ambient, weighted);
+    for (at = scratch->heap_count++; at > 0; at = up) {
+        up = (at - 1) / 2;
+        if (paradt__compare_powers(scene, x, &power, &scratch->heap[up], weighted) > 0) break;
+        scratch->heap[at] = scratch->heap[up];
+    }
+    scratch->heap[at] = power;
+    return PARADT_OK;
+}
+
+// Takes the first vertex from the heap, which is not empty.
+static paradt_index paradt__heap_pop(paradt__scratch *scratch, const paradt__scene *scene, const double *x) {
+    const int weighted = scene->space.weighted;
+    paradt__power_of *heap = scratch->heap, last = heap[--scratch->heap_count];
+    paradt_index vertex = heap[0].vertex;
+    size_t at = 0, down, count = scratch->heap_count;
+    for (; (down = 2 * at + 1) < count; at = down) {
+        if (down + 1 < count && paradt__compare_powers(scene, x, &heap[down + 1], &heap[down], weighted) < 0) down++;
+        if (paradt__compare_powers(scene, x, &heap[down], &last, weighted) > 0) break;
+        heap[at] = heap[down];
+    }
+    if (count) heap[at] = last;
+    return vertex;
+}
+
+// Lists the first `count` vertices, in their order, in scratch->found. vertex: the very first
+static paradt_status paradt__first_some(paradt__scratch *scratch, const paradt__scene *scene,
+                                        const paradt__relation *neighbors, const double *x, paradt_index vertex,
+                                        size_t count) {
+    paradt_status status = paradt__heap_push(scratch, scene, x, vertex);
+    size_t j;
+    while (!status && scratch->heap_count && scratch->found.count < count) {
+        vertex = paradt__heap_pop(scratch, scene, x);
+        status = paradt__list_append(&scratch->found, vertex, &scratch->memory);
+        if (scratch->found.count == count) break;
+        for (j = neighbors->first[vertex]; j < neighbors->first[vertex + 1] && !status; j++)
+            status = paradt__heap_push(scratch, scene, x, neighbors->items[j]);
+    }
+    return status;
+}
+
+// Lists the vertices at most `radius` from x, in any order, in scratch->found. vertex: the first; least: the least
+// weight. radius: not negative, may be infinite
+static paradt_status paradt__in_ball(paradt__scratch *scratch, const paradt__scene *scene,
+                                     const paradt__relation *neighbors, const double *x, paradt_index vertex,
+                                     double radius, double least) {
+    const paradt__space *space = &scene->space;
+    const int weighted = space->weighted, finite = paradt__is_finite(radius);
+    const int bounded = finite && space->bounded && radius < paradt__power(500);
+    double limit = bounded ? radius * radius - least : 0, size = bounded ? radius * radius + paradt__abs(least) : 0;
+    double error = 4 * PARADT__POWER_FACTOR * size;
+    int fresh;
+    size_t next, j;
+    paradt_status status = paradt__seen_add(&scratch->seen, vertex, &fresh, &scratch->memory);
+    for (next = 0; next < scratch->seen.items.count && !status; next++) {
+        paradt__power_of power;
+        vertex = scratch->seen.items.items[next];
+        power = paradt__power_at(scene, x, vertex, space->ambient, weighted);
+        if (bounded && power.value - limit > 2 * power.error + error) continue;
+        if (finite && paradt__compare_radius(scene, x, vertex, radius) > 0) {
+            if (!weighted) continue;
+        } else {
+            status = paradt__list_append(&scratch->found, vertex, &scratch->memory);
+        }
+        for (j = neighbors->first[vertex]; j < neighbors->first[vertex + 1] && !status; j++)
+            status = paradt__seen_add(&scratch->seen, neighbors->items[j], &fresh, &scratch->memory);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>along
+//
+// The cells along a segment from a to b. The walk is at a place p on the segment, which it does not compute: it knows a
+// cell, and of the cell's faces the one whose interior holds p, as a set of vertices. All is decided by signs of
+// orientations of vertices, a and b.
+//
+//   enter  Among the cells around the face, it crosses every facet through the face that has b strictly beyond it, as a
+//          visibility walk does. It ends at a cell that the segment runs in from p on, or leaves the hull, for good.
+//   leave  The segment leaves the cell through one of the facets that have b strictly beyond them. It reaches the facet
+//          opposite j before that opposite k where the cell with a for vertex j and b for vertex k is positively
+//          oriented: with s the side of a facet's hyperplane, as a determinant, s_j(a) s_k(b) - s_k(a) s_j(b) is the
+//          product of this cell's determinant and of the cell's own. The vertices that are on no facet that is reached
+//          first, and that the segment does not run along, are the next face.
+//
+// From outside, the hull is entered likewise: seen from a, the hull facets that face a are a regular subdivision, and a
+// visibility walk among their ghosts finds the one in the direction of b, or a ridge beyond which b misses the hull.
+// Doors: paradt__along.
+
+typedef struct paradt__ray {
+    paradt__view *view;
+    const double *a, *b;
+    paradt_index face[PARADT_MAX_DIM + 1]; // vertices of the face whose interior the walk is in
+    int count;
+    size_t steps; // left, before it gives up
+} paradt__ray;
+
+// Sign of the orientation of a cell or ghost with a or b, or both, in the places of vertices. at_a, at_b: these places;
+// -1: none
+static int paradt__ray_side(paradt__ray *ray, paradt_index cell, int at_a, int at_b) {
+    paradt__scene *scene = &ray->view->scene;
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    const double *p[PARADT_MAX_DIM + 1];
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++)
+        p[i] = i == at_a ? ray->a : i == at_b ? ray->b : paradt__scene_record(scene, row[i]);
+    return paradt__orient(&scene->space, p);
+}
+
+// Which vertices of a cell are the face's: a bit for each
+static unsigned paradt__ray_face(const paradt__ray *ray, const paradt_index *row, int corners) {
+    unsigned face = 0;
+    int i, j;
+    for (i = 0; i < corners; i++) {
+        for (j = 0; j < ray->count; j++) face |= (unsigned)(row[i] == ray->face[j]) << i;
+    }
+    return face;
+}
+
+static void paradt__ray_set_face(paradt__ray *ray, const paradt_index *row, int corners, unsigned face) {
+    int i;
+    ray->count = 0;
+    for (i = 0; i < corners; i++) {
+        if (face >> i & 1) ray->face[ray->count++] = row[i];
+    }
+}
+
+// Finds the cell around the face that the segment runs in from here on. Returns PARADT__OPEN where it leaves the hull.
+static paradt_index paradt__ray_enter(paradt__ray *ray, paradt_index cell) {
+    const paradt__mesh *mesh = &ray->view->scene.mesh;
+    const int corners = mesh->corners;
+    int i = 0, from = -1;
+    while (i < corners && ray->steps) {
+        const paradt_index *row = paradt__mesh_row(mesh, cell);
+        unsigned face = paradt__ray_face(ray, row, corners);
+        if (paradt__ghost_place(row, corners) >= 0) return PARADT__OPEN;
+        for (i = 0; i < corners; i++) {
+            if (i != from && !(face >> i & 1) && paradt__ray_side(ray, cell, -1, i) < 0) break;
+        }
+        if (i == corners) return cell;
+        from = (int)(mesh->links[(size_t)cell * (size_t)corners + (size_t)i] % corners);
+        cell = paradt__mesh_cell(mesh, mesh->links[(size_t)cell * (size_t)corners + (size_t)i]);
+        ray->steps--;
+    }
+    return PARADT__OPEN;
+}
+
+// Goes to the border of a cell that the segment runs in. Returns 0 where it ends in the cell.
+static int paradt__ray_leave(paradt__ray *ray, paradt_index cell) {
+    const paradt__mesh *mesh = &ray->view->scene.mesh;
+    const int corners = mesh->corners;
+    const paradt_index *row = paradt__mesh_row(mesh, cell);
+    unsigned face = paradt__ray_face(ray, row, corners), next = 0, reached = 0;
+    int first = -1, i;
+    for (i = 0; i < corners; i++) {
+        int side = paradt__ray_side(ray, cell, -1, i), before;
+        if (side > 0 || (!side && face >> i & 1)) next |= 1u << i; // it does not run along this facet
+        if (side >= 0) continue;
+        before = first < 0 ? 1 : paradt__ray_side(ray, cell, i, first);
+        if (before > 0) { // than all others so far
+            next |= reached;
+            reached = 0;
+            first = i;
+        }
+        if (before >= 0) reached |= 1u << i;
+        else next |= 1u << i;
+    }
+    paradt__ray_set_face(ray, row, corners, next);
+    return first >= 0;
+}
+
+// Enters the hull from outside. ghost: one whose hull facet has a beyond it. Returns the cell behind the facet that the
+// segment goes to, or PARADT__OPEN: it does not reach the hull.
+static paradt_index paradt__ray_approach(paradt__ray *ray, paradt_index ghost) {
+    const paradt__mesh *mesh = &ray->view->scene.mesh;
+    const int corners = mesh->corners;
+    for (; ray->steps; ray->steps--) {
+        const paradt_index *row = paradt__mesh_row(mesh, ghost);
+        int infinite = paradt__ghost_place(row, corners), i, side = 0;
+        size_t base = (size_t)ghost * (size_t)corners;
+        unsigned face = 0;
+        if (paradt__ray_side(ray, ghost, infinite, -1) <= 0) return PARADT__OPEN; // beyond a silhouette
+        for (i = 0; i < corners; i++) {
+            if (i == infinite) continue;
+            side = paradt__ray_side(ray, ghost, infinite, i);
+            if (side < 0) break;
+            face |= (unsigned)(side > 0) << i;
+        }
+        if (i == corners) {
+            if (paradt__ray_side(ray, ghost, -1, infinite) >= 0) return PARADT__OPEN; // b is before the hull, or on it
+            paradt__ray_set_face(ray, row, corners, face);
+            return paradt__mesh_cell(mesh, mesh->links[base + (size_t)infinite]);
+        }
+        ghost = paradt__mesh_cell(mesh, mesh->links[base + (size_t)i]);
+    }
+    return PARADT__OPEN;
+}
+
+// Lists the cells along the segment from a to b. from: any place near a; a and b are admitted and, as the points, in
+// one flat. The points are not all at one place.
+static paradt_status paradt__along(paradt__view *view, paradt_index from, const double *a, const double *b,
+                                   paradt__list *cells, paradt__memory *memory) {
+    const paradt__mesh *mesh = &view->scene.mesh;
+    paradt__ray ray;
+    unsigned inside;
+    paradt_status status = PARADT_OK;
+    paradt_index cell = paradt__walk_any(&view->scene, from, a, mesh->count, &inside);
+    if (cell < 0) return PARADT_OK;
+    ray.view = view;
+    ray.a = a;
+    ray.b = b;
+    ray.count = 0;
+    ray.steps = 2 * mesh->count;
+    if (inside) paradt__ray_set_face(&ray, paradt__mesh_row(mesh, cell), mesh->corners, inside);
+    else cell = paradt__ray_approach(&ray, cell);
+    for (; cell >= 0 && !status && ray.steps; ray.steps--) {
+        cell = paradt__ray_enter(&ray, cell);
+        if (cell < 0) break;
+        status = paradt__list_append(cells, cell, memory);
+        if (!paradt__ray_leave(&ray, cell)) break;
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>locator
+//
+// What answers queries about the caller's triangulation. It has a scene of its own: the cells at the places of their
+// numbers and the ghosts behind them, and the vertices sorted along the curve, so that what is near in space is near in
+// memory; points that are no vertices are left out. Added are a cell of each vertex, the neighbours of each, and
+// buckets of starting vertices. After it is made nothing in it is written: each query, or task of many, has a view.
+//
+// Many queries are sorted along the curve, too. The next one begins where the one before ended, if both are in one
+// bucket of the starting cells; else at the vertex of its own bucket, which does not matter more for speed than that.
+// Doors: the public functions.
+
+struct paradt_locator {
+    paradt__memory memory;
+    paradt__set set;            // the vertices
+    paradt__scene scene;        // cells first, then ghosts; dim -1: there are none
+    paradt__space wider;        // that of the scene, for numbers with more digits
+    size_t point_count;         // of the caller's points
+    paradt_index *position;     // [point_count] of each point's vertex, or -1
+    paradt_index *cell_of;      // [set.count] a cell of each vertex
+    paradt_index *cell_at;      // [starts.bucket_count] a cell at the centre of each bucket
+    paradt__relation neighbors; // of each vertex
+    paradt__starts starts;      // vertices
+    double least;               // the least weight
+};
+
+static void paradt__locator_release(paradt_locator *locator) {
+    paradt__memory memory = locator->memory;
+    paradt__set_free(&locator->set, &memory);
+    paradt__mesh_free(&locator->scene.mesh, &memory);
+    paradt__release(&memory, locator->position);
+    paradt__release(&memory, locator->cell_of);
+    paradt__release(&memory, locator->cell_at);
+    paradt__relation_free(&locator->neighbors, &memory);
+    paradt__starts_free(&locator->starts, &memory);
+    paradt__release(&memory, locator);
+}
+
+// --- making one
+
+// What is only there while a locator is made
+typedef struct paradt__locating {
+    paradt_locator *locator;
+    const paradt_triangulation *t;
+    paradt__meter meter;
+    uint32_t reported;
+    paradt__set given;   // the caller's points; then its vertices, as the caller has them in order
+    paradt_index *index; // [vertices] of each of these
+    paradt_index *representative;
+} paradt__locating;
+
+// Keeps those of the given points that are vertices.
+static paradt_status paradt__locating_pack(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    const paradt_triangulation *t = work->t;
+    paradt__set *given = &work->given;
+    size_t corners = (size_t)(t->dim + 1), i, kept = 0;
+    for (i = 0; i < t->point_count; i++) locator->position[i] = -1;
+    for (i = 0; i < t->cell_count * corners; i++) locator->position[t->cells[i]] = 0;
+    for (i = 0; i < t->point_count; i++) kept += locator->position[i] >= 0;
+    work->index = (paradt_index *)paradt__alloc(&locator->memory, kept, sizeof *work->index);
+    work->representative = (paradt_index *)paradt__alloc(&locator->memory, kept, sizeof *work->representative);
+    if (!work->index || !work->representative) return PARADT_ERROR_MEMORY;
+    kept = 0;
+    for (i = 0; i < t->point_count; i++) {
+        if (locator->position[i] < 0) continue;
+        if (kept < i)
+            paradt__copy_record(given->records + kept * given->width, given->records + i * given->width, given->width);
+        work->index[kept++] = (paradt_index)i;
+    }
+    given->count = kept;
+    return PARADT_OK;
+}
+
+// Sorts the vertices along the curve, and finds the position of each point.
+static paradt_status paradt__locating_sort(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    paradt__set *set = &locator->set;
+    const paradt__set *given = &work->given;
+    const paradt_index *stands = work->t->representative;
+    paradt__progress progress = paradt__progress_of(&work->meter, &work->reported, 0.5);
+    paradt__team team = paradt__alone;
+    paradt_points points = paradt__packed_points(given->count, given->space.ambient, PARADT_F64);
+    paradt__source source;
+    paradt_status status;
+    size_t bad, i;
+    points.data = given->records;
+    points.stride = given->width * sizeof(double);
+    points.weights = given->space.weighted ? given->records + given->space.ambient : NULL;
+    source = paradt__source_of(&points);
+    source.weight_stride = points.stride;
+    team.progress = progress;
+    status = paradt__set_gather(set, &source, NULL, &team, &locator->memory, work->representative, &bad);
+    if (status) return status;
+    if (set->count < given->count) return PARADT_ERROR_INVALID; // two vertices are at one place
+    memcpy(set->axes, given->axes, sizeof set->axes);
+    for (i = 0; i < set->count; i++) {
+        set->origin[i] = work->index[set->origin[i]];
+        locator->position[set->origin[i]] = (paradt_index)i;
+    }
+    for (i = 0; i < locator->point_count && stands; i++) {
+        if (locator->position[i] < 0 && stands[i] >= 0 && (size_t)stands[i] < locator->point_count)
+            locator->position[i] = locator->position[stands[i]];
+    }
+    return PARADT_OK;
+}
+
+// Makes vertices of the mesh, which are the caller's indices so far, positions; and the space of the scene.
+static void paradt__locating_scene(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    paradt__scene *scene = &locator->scene;
+    paradt__mesh *mesh = &scene->mesh;
+    const paradt__set *set = &locator->set;
+    size_t corners = (size_t)mesh->corners, i;
+    for (i = 0; i < mesh->count * corners; i++) {
+        if (mesh->vertices[i] >= 0) mesh->vertices[i] = locator->position[mesh->vertices[i]];
+    }
+    scene->space = set->space;
+    scene->space.dim = work->t->dim;
+    paradt__space_widen(&scene->space);
+    locator->wider = scene->space;
+    paradt__space_refine(&locator->wider);
+    if (work->t->dim > 0) {
+        paradt__space_end(&scene->space);
+        paradt__space_end(&locator->wider);
+    }
+    scene->records = set->records;
+    scene->width = set->width;
+    for (i = 0; i < set->count && scene->space.weighted; i++) {
+        double weight = set->records[i * set->width + (size_t)scene->space.ambient];
+        if (!i || weight < locator->least) locator->least = weight;
+    }
+}
+
+static void paradt__locator_view(const paradt_locator *locator, paradt__view *view) {
+    paradt__view_begin(view, &locator->scene);
+    view->wider = &locator->wider;
+}
+
+// The vertex of a cell that is nearest to a place, as far as doubles tell
+static paradt_index paradt__locating_nearest(const paradt__scene *scene, paradt_index cell, const double *x) {
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    paradt_index best = row[0];
+    double least = 0;
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++) {
+        double power = paradt__power_at(scene, x, row[i], scene->space.ambient, scene->space.weighted).value;
+        if (i && !(power < least)) continue;
+        least = power;
+        best = row[i];
+    }
+    return best;
+}
+
+// Finds for each bucket the cell that its centre is in, or is seen from, and of this cell the vertex that is nearest to
+// the centre. From one to the next, which are neighbours.
+static paradt_status paradt__locating_centres(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    paradt__starts *starts = &locator->starts;
+    paradt_index place = 0;
+    paradt__view view;
+    size_t grid, i;
+    locator->cell_at =
+        (paradt_index *)paradt__alloc_filled(&locator->memory, starts->bucket_count, sizeof *locator->cell_at);
+    if (!locator->cell_at) return PARADT_ERROR_MEMORY;
+    paradt__locator_view(locator, &view);
+    for (grid = 0; grid < starts->grid_count; grid++) {
+        for (i = 0; i < (size_t)1 << starts->grids[grid].all; i++) {
+            double centre[PARADT_MAX_DIM];
+            unsigned inside;
+            paradt_index found;
+            if (i % PARADT__PACE == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
+            paradt__starts_centre(starts, starts->grids + grid, i, centre);
+            paradt__view_admit(&view, centre);
+            found = paradt__place_in(&view, place, centre, &inside);
+            place = found < 0 ? 0 : found;
+            locator->cell_at[starts->grids[grid].first + i] = place;
+            found = paradt__locating_nearest(&view.scene, place, centre);
+            if (starts->buckets[starts->grids[grid].first + i] >= 0)
+                starts->buckets[starts->grids[grid].first + i] = found;
+        }
+    }
+    return PARADT_OK;
+}
+
+// Makes what searches go by.
+static paradt_status paradt__locating_help(paradt__locating *work) {
+    paradt_locator *locator = work->locator;
+    const paradt__set *set = &locator->set;
+    const paradt__mesh *mesh = &locator->scene.mesh;
+    paradt__start_points points = {set->records, set->width, set->count, NULL};
+    paradt__relation cells;
+    paradt_status status;
+    size_t i;
+    memset(&cells, 0, sizeof cells);
+    status = paradt__starts_make(&locator->starts, &points, set->space.ambient, &locator->memory, &work->meter);
+    if (!status)
+        status = paradt__relation_of_cells(&cells, mesh->vertices, work->t->cell_count, mesh->corners, set->count,
+                                           &locator->memory);
+    if (!status)
+        status = paradt__relation_of_neighbors(&locator->neighbors, &cells, mesh->vertices, mesh->corners, set->count,
+                                               &locator->memory, &work->meter);
+    if (!status) {
+        locator->cell_of = (paradt_index *)paradt__alloc(&locator->memory, set->count, sizeof *locator->cell_of);
+        if (!locator->cell_of) status = PARADT_ERROR_MEMORY;
+        for (i = 0; i < set->count && !status; i++) locator->cell_of[i] = cells.items[cells.first[i]];
+    }
+    paradt__relation_free(&cells, &locator->memory);
+    if (!status) status = paradt__locating_centres(work);
+    return status;
+}
+
+// A triangulation of one point has no facets: the mesh has its cell without links.
+static paradt_status paradt__locating_point(paradt__locating *work) {
+    paradt__mesh *mesh = &work->locator->scene.mesh;
+    paradt_status status;
+    paradt__mesh_begin(mesh, 1, 0);
+    if (work->t->cell_count != 1 || (paradt__tag)work->t->cells[0] >= (paradt__tag)work->t->point_count)
+        return PARADT_ERROR_INVALID;
+    status = paradt__mesh_reserve(mesh, 1, 1, &work->locator->memory);
+    if (status) return status;
+    mesh->count = 1;
+    mesh->vertices[0] = work->t->cells[0];
+    mesh->links[0] = PARADT__HULL;
+    return PARADT_OK;
+}
+
+// Makes all of a locator of a triangulation that has cells.
+static paradt_status paradt__locating_make(paradt__locating *work, const paradt_points *points, int facets) {
+    paradt_locator *locator = work->locator;
+    paradt__memory *memory = &locator->memory;
+    size_t bad;
+    paradt_status status;
+    locator->position = (paradt_index *)paradt__alloc(memory, locator->point_count, sizeof *locator->position);
+    if (!locator->position) return PARADT_ERROR_MEMORY;
+    status = work->t->dim ? paradt__given_mesh(&locator->scene.mesh, work->t, facets, memory, &work->meter)
+                          : paradt__locating_point(work);
+    if (!status) status = paradt__given_set(&work->given, work->t, points, memory, &work->meter, &bad);
+    if (!status) status = paradt__locating_pack(work);
+    if (!status) status = paradt__locating_sort(work);
+    paradt__set_free(&work->given, memory);
+    paradt__release(memory, work->index);
+    paradt__release(memory, work->representative);
+    if (!status) paradt__locating_scene(work);
+    if (!status) status = paradt__locating_help(work);
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    return status;
+}
+
+// Returns whether the arguments of paradt_locator_create are wrong.
+static paradt_status paradt__locator_fault(const paradt_triangulation *t, const paradt_points *points,
+                                           const paradt_options *options) {
+    const char *text;
+    paradt_status status = paradt__check_arguments(points, options, &text);
+    if (status) return status;
+    if (!t || t->point_count != points->count || t->dim < -1 || t->dim > points->dim) return PARADT_ERROR_ARGUMENT;
+    if (options && options->flags & (PARADT_NO_NEIGHBORS | PARADT_FURTHEST_SITE)) return PARADT_ERROR_ARGUMENT;
+    if (t->cell_count && (t->dim < 0 || !t->cells || (t->dim > 0 && !t->neighbors))) return PARADT_ERROR_ARGUMENT;
+    return t->dim >= 0 && !t->cell_count ? PARADT_ERROR_INVALID : PARADT_OK;
+}
+
+PARADT_DEF paradt_status paradt_locator_create(paradt_locator **out, const paradt_triangulation *t,
+                                               const paradt_points *points, const paradt_options *options) {
+    paradt__locating work;
+    paradt__memory memory;
+    paradt_status status;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    *out = NULL;
+    status = paradt__locator_fault(t, points, options);
+    if (status) return status;
+    memset(&work, 0, sizeof work);
+    work.t = t;
+    paradt__meter_begin(&work.meter, options);
+    paradt__memory_begin(&memory, options);
+    work.locator = (paradt_locator *)paradt__alloc(&memory, 1, sizeof *work.locator);
+    if (!work.locator) return PARADT_ERROR_MEMORY;
+    memset(work.locator, 0, sizeof *work.locator);
+    work.locator->memory = memory;
+    work.locator->point_count = points->count;
+    work.locator->scene.space.dim = -1;
+    work.locator->set.space.ambient = work.locator->scene.space.ambient = points->dim;
+    if (t->cell_count) status = paradt__locating_make(&work, points, options && options->flags & PARADT_FACETS);
+    if (status) paradt__locator_release(work.locator);
+    else *out = work.locator;
+    return status;
+}
+
+PARADT_DEF void paradt_locator_free(paradt_locator *locator) {
+    if (locator) paradt__locator_release(locator);
+}
+
+// --- one query
+
+// Copies a place, its axes permuted as those of the records are, without negative zeros. Returns 0 if it is not finite.
+static int paradt__locator_take(const paradt_locator *locator, const double *x, double *to) {
+    int axis, finite = 1, ambient = locator->set.space.ambient;
+    for (axis = 0; axis < ambient; axis++) {
+        double y = x[locator->set.count ? locator->set.axes[axis] : axis];
+        finite &= paradt__is_finite(y);
+        to[axis] = paradt__from_ordered_bits(paradt__ordered_bits(y));
+    }
+    return finite;
+}
+
+// Where a search for a place begins. A hint is followed if its vertex is in the place's bucket: otherwise the bucket's
+// own cell and vertex are nearer. *bucket: that of the place. Returns the position of the vertex hinted at, or -1.
+static paradt_index paradt__locator_start(const paradt_locator *locator, const double *x, paradt_index hint,
+                                          size_t *bucket) {
+    size_t other;
+    paradt__starts_at(&locator->starts, x, bucket);
+    if (hint < 0 || (size_t)hint >= locator->point_count || locator->position[hint] < 0) return -1;
+    paradt__starts_at(&locator->starts, paradt__record(&locator->set, locator->position[hint]), &other);
+    return other == *bucket ? locator->position[hint] : -1;
+}
+
+// The cell at which a search for a place begins
+static paradt_index paradt__locator_cell(const paradt_locator *locator, const double *x, paradt_index hint) {
+    size_t bucket;
+    paradt_index vertex = paradt__locator_start(locator, x, hint, &bucket);
+    return vertex < 0 ? locator->cell_at[bucket] : locator->cell_of[vertex];
+}
+
+// *cell: a place to begin at; then that of the cell found
+static paradt_location paradt__locator_at(paradt__view *view, paradt_index *cell, const double *x) {
+    paradt_location location = {-1, 0};
+    unsigned face;
+    paradt_index place = paradt__place_in(view, *cell, x, &face);
+    if (place < 0) return location;
+    *cell = location.cell = place;
+    location.face = face;
+    return location;
+}
+
+PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, const double *x, paradt_index hint) {
+    paradt_location none = {-1, 0};
+    paradt__view view;
+    double own[PARADT_MAX_DIM];
+    paradt_index cell;
+    if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return none;
+    paradt__locator_view(locator, &view);
+    paradt__view_admit(&view, own);
+    cell = paradt__locator_cell(locator, own, hint);
+    return paradt__locator_at(&view, &cell, own);
+}
+
+// The nearest vertex to a place that has been taken over; its position
+static paradt_index paradt__locator_nearest(const paradt_locator *locator, paradt__view *view, const double *x,
+                                            paradt_index hint) {
+    size_t bucket;
+    paradt_index vertex = paradt__locator_start(locator, x, hint, &bucket);
+    paradt__locator_view(locator, view);
+    paradt__view_admit(view, x);
+    if (vertex < 0) vertex = locator->starts.buckets[bucket];
+    return paradt__descend(&view->scene, &locator->neighbors, x, vertex);
+}
+
+PARADT_DEF paradt_index paradt_nearest_one(const paradt_locator *locator, const double *x, paradt_index hint) {
+    paradt__view view;
+    double own[PARADT_MAX_DIM];
+    if (!locator || !x || locator->scene.space.dim < 0 || !paradt__locator_take(locator, x, own)) return -1;
+    return locator->set.origin[paradt__locator_nearest(locator, &view, own, hint)];
+}
+
+PARADT_DEF paradt_status paradt_nearest_some(const paradt_locator *locator, const double *x, size_t count,
+                                             paradt_index *out, paradt_work *work) {
+    paradt__view view;
+    paradt__scratch *scratch;
+    double own[PARADT_MAX_DIM];
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (!locator || !x || !work || (count && !out)) return PARADT_ERROR_ARGUMENT;
+    for (i = 0; i < count; i++) out[i] = -1;
+    if (!paradt__locator_take(locator, x, own)) return PARADT_ERROR_NOT_FINITE;
+    if (locator->scene.space.dim < 0 || !count) return PARADT_OK;
+    scratch = paradt__scratch_of(work);
+    if (!scratch) return PARADT_ERROR_MEMORY;
+    i = (size_t)paradt__locator_nearest(locator, &view, own, -1);
+    status = paradt__first_some(scratch, &view.scene, &locator->neighbors, own, (paradt_index)i, count);
+    for (i = 0; i < scratch->found.count && !status; i++) out[i] = locator->set.origin[scratch->found.items[i]];
+    paradt__scratch_done(scratch, work);
+    return status;
+}
+
+// Hands out the first of the vertices that were found, in ascending order of their indices.
+static paradt_status paradt__locator_ascending(const paradt_locator *locator, paradt__scratch *scratch,
+                                               paradt_index *out, size_t capacity) {
+    size_t count = scratch->found.count, i;
+    if (count > scratch->sorted_capacity) {
+        void *sorted = scratch->sorted;
+        if (!paradt__grow(&scratch->memory, &sorted, 0, 4 * count, sizeof *scratch->sorted)) return PARADT_ERROR_MEMORY;
+        scratch->sorted = (paradt__keyed *)sorted;
+        scratch->sorted_capacity = 2 * count;
+    }
+    for (i = 0; i < count; i++) {
+        paradt_index index = locator->set.origin[scratch->found.items[i]];
+        scratch->sorted[i].key = (uint64_t)index;
+        scratch->sorted[i].item = index;
+    }
+    paradt__keyed_sort(scratch->sorted, scratch->sorted + scratch->sorted_capacity, count,
+                       paradt__bit_length(locator->point_count), 0);
+    for (i = 0; i < count && i < capacity; i++) out[i] = scratch->sorted[i].item;
+    return PARADT_OK;
+}
+
+PARADT_DEF paradt_status paradt_within(const paradt_locator *locator, const double *x, double radius, paradt_index *out,
+                                       size_t capacity, size_t *count, paradt_work *work) {
+    paradt__view view;
+    paradt__scratch *scratch;
+    double own[PARADT_MAX_DIM];
+    paradt_status status;
+    paradt_index vertex;
+    if (count) *count = 0;
+    if (!locator || !x || !work || !count || (capacity && !out)) return PARADT_ERROR_ARGUMENT;
+    if (!paradt__locator_take(locator, x, own) || radius != radius) return PARADT_ERROR_NOT_FINITE;
+    if (locator->scene.space.dim < 0 || radius < 0) return PARADT_OK;
+    scratch = paradt__scratch_of(work);
+    if (!scratch) return PARADT_ERROR_MEMORY;
+    vertex = paradt__locator_nearest(locator, &view, own, -1);
+    status = paradt__in_ball(scratch, &view.scene, &locator->neighbors, own, vertex, radius, locator->least);
+    if (!status) status = paradt__locator_ascending(locator, scratch, out, capacity);
+    if (!status) *count = scratch->found.count;
+    paradt__scratch_done(scratch, work);
+    return status;
+}
+
+// Lists the cells along a segment in scratch->found.
+static paradt_status paradt__locator_along(const paradt_locator *locator, paradt__scratch *scratch, const double *a,
+                                           const double *b) {
+    const paradt__space *space = &locator->scene.space;
+    paradt_index from = paradt__locator_cell(locator, a, -1);
+    paradt__view view;
+    paradt__locator_view(locator, &view);
+    if (space->dim < space->ambient) {
+        if (paradt__is_off_flat(&view, from, a) || paradt__is_off_flat(&view, from, b)) return PARADT_OK;
+        if (!space->dim) return paradt__list_append(&scratch->found, from, &scratch->memory);
+    }
+    paradt__view_extend(&view, a, b);
+    return paradt__along(&view, from, a, b, &scratch->found, &scratch->memory);
+}
+
+PARADT_DEF paradt_status paradt_along(const paradt_locator *locator, const double *a, const double *b,
+                                      paradt_index *out, size_t capacity, size_t *count, paradt_work *work) {
+    paradt__scratch *scratch;
+    double from[PARADT_MAX_DIM], to[PARADT_MAX_DIM];
+    paradt_status status;
+    size_t i;
+    if (count) *count = 0;
+    if (!locator || !a || !b || !work || !count || (capacity && !out)) return PARADT_ERROR_ARGUMENT;
+    if (!paradt__locator_take(locator, a, from) || !paradt__locator_take(locator, b, to))
+        return PARADT_ERROR_NOT_FINITE;
+    if (locator->scene.space.dim < 0) return PARADT_OK;
+    scratch = paradt__scratch_of(work);
+    if (!scratch) return PARADT_ERROR_MEMORY;
+    status = paradt__locator_along(locator, scratch, from, to);
+    for (i = 0; i < scratch->found.count && i < capacity && !status; i++) out[i] = scratch->found.items[i];
+    if (!status) *count = scratch->found.count;
+    paradt__scratch_done(scratch, work);
+    return status;
+}
+
+// --- many queries
+
+typedef struct paradt__asking {
+    const paradt_locator *locator;
+    const paradt__team *team;
+    paradt__set set;              // the queries, along the curve
+    paradt_index *representative; // [queries] the query that stands for each, where several are at one place
+    paradt_location *locations;   // [queries] what is wanted, or
+    paradt_index *vertices;       // [queries]
+} paradt__asking;
+
+enum { PARADT__ASK_PACE = 1 << 9 }; // queries between two looks at whether the call is cancelled
+
+// Answers the queries of a task, in their order along the curve.
+static void paradt__ask_task(void *context, size_t task) {
+    const paradt__asking *asking = (const paradt__asking *)context;
+    const paradt_locator *locator = asking->locator;
+    const paradt__set *set = &asking->set;
+    size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, bucket, last = SIZE_MAX;
+    paradt_index vertex = -1, cell = -1;
+    paradt__view view;
+    paradt__locator_view(locator, &view);
+    for (; i < end; i++) {
+        const double *x = set->records + i * set->width;
+        paradt_index start = paradt__starts_at(&locator->starts, x, &bucket);
+        if ((i - first) % PARADT__ASK_PACE == 0 &&
+            paradt__team_cancels(asking->team, task, (double)(i - first) / (double)(end - first)))
+            return;
+        paradt__view_admit(&view, x);
+        if (asking->locations) {
+            if (bucket != last) cell = locator->cell_at[bucket];
+            asking->locations[set->origin[i]] = paradt__locator_at(&view, &cell, x);
+        } else {
+            if (bucket != last) vertex = start;
+            vertex = paradt__descend(&view.scene, &locator->neighbors, x, vertex);
+            asking->vertices[set->origin[i]] = locator->set.origin[vertex];
+        }
+        last = bucket;
+    }
+}
+
+// Sorts the queries and answers them.
+static paradt_status paradt__ask_sorted(paradt__asking *asking, const paradt_points *queries,
+                                        const paradt_options *options, paradt__memory *memory, size_t *bad) {
+    paradt__meter meter;
+    uint32_t sorted = 0, asked = 0;
+    paradt__source source = paradt__source_of(queries);
+    paradt__team team;
+    paradt_status status;
+    size_t i;
+    paradt__meter_begin(&meter, options);
+    team = paradt__team_of(options, PARADT__MOST_TASKS, paradt__progress_of(&meter, &sorted, 0.3));
+    asking->team = &team;
+    asking->representative = (paradt_index *)paradt__alloc(memory, queries->count, sizeof *asking->representative);
+    if (!asking->representative) return PARADT_ERROR_MEMORY;
+    status = paradt__set_gather(&asking->set, &source, NULL, &team, memory, asking->representative, bad);
+    if (status) return status;
+    memcpy(asking->set.axes, asking->locator->set.axes, sizeof asking->set.axes);
+    paradt__set_permute(&asking->set);
+    team.progress = paradt__progress_of(&meter, &asked, 0.7);
+    paradt__team_run(&team, paradt__ask_task, asking);
+    if (paradt__team_cancelled(&team) || paradt__meter_cancels(&meter)) return PARADT_ERROR_CANCELLED;
+    for (i = 0; i < queries->count; i++) {
+        size_t from = (size_t)asking->representative[i];
+        if (asking->locations) asking->locations[i] = asking->locations[from];
+        else asking->vertices[i] = asking->vertices[from];
+    }
+    return PARADT_OK;
+}
+
+// Gives a query that is not finite, or one in a triangulation without cells, its answer.
+static void paradt__ask_none(const paradt__asking *asking, size_t query) {
+    if (asking->locations) {
+        asking->locations[query].cell = -1;
+        asking->locations[query].face = 0;
+    } else {
+        asking->vertices[query] = -1;
+    }
+}
+
+// Answers queries about a triangulation without cells.
+static paradt_status paradt__ask_empty(const paradt__asking *asking, const paradt_points *queries, size_t *bad) {
+    paradt__source source = paradt__source_of(queries);
+    double record[PARADT_MAX_DIM + 1];
+    size_t i;
+    for (i = 0; i < queries->count; i++) {
+        *bad = i;
+        if (paradt__read_record(&source, i, record) == 2047) return PARADT_ERROR_NOT_FINITE;
+        paradt__ask_none(asking, i);
+    }
+    return PARADT_OK;
+}
+
+static paradt_status paradt__ask(const paradt_locator *locator, const paradt_points *queries,
+                                 paradt_location *locations, paradt_index *vertices, const paradt_options *options) {
+    paradt__asking asking;
+    paradt_options given;
+    paradt_points places;
+    paradt__memory memory;
+    paradt_status status;
+    const char *text;
+    size_t bad = 0;
+    memset(&given, 0, sizeof given);
+    if (options) given = *options;
+    if (!locator || !queries) return PARADT_ERROR_ARGUMENT;
+    places = *queries;
+    places.weights = NULL;
+    status = paradt__check_arguments(&places, &given, &text);
+    if (status) return status;
+    if (places.dim != locator->scene.space.ambient || (places.count && !locations && !vertices))
+        return PARADT_ERROR_ARGUMENT;
+    if (!places.count) return PARADT_OK;
+    memset(&asking, 0, sizeof asking);
+    asking.locator = locator;
+    asking.locations = locations;
+    asking.vertices = vertices;
+    paradt__memory_begin(&memory, &given);
+    status = locator->scene.space.dim < 0 ? paradt__ask_empty(&asking, &places, &bad)
+                                          : paradt__ask_sorted(&asking, &places, &given, &memory, &bad);
+    if (status == PARADT_ERROR_NOT_FINITE) paradt__ask_none(&asking, bad);
+    paradt__release(&memory, asking.representative);
+    paradt__set_free(&asking.set, &memory);
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_locate(const paradt_locator *locator, const paradt_points *queries,
+                                       paradt_location *out, const paradt_options *options) {
+    return paradt__ask(locator, queries, out, NULL, options);
+}
+
+PARADT_DEF paradt_status paradt_nearest(const paradt_locator *locator, const paradt_points *queries, paradt_index *out,
+                                        const paradt_options *options) {
+    return paradt__ask(locator, queries, NULL, out, options);
+}
+#endif // PARADT_NO_LOCATOR
+
+#ifndef PARADT_NO_DYNAMIC
+// ---------------------------------------------------------------------------------------------------------------------
+// >>holes of vertices
+//
+// What is left where a vertex v goes, and what fills it. The cells and ghosts around v are a hole, and the link of v is
+// its rim. Let Q be the vertices of the link, and with weights also the hidden points in the star. The hole is filled
+// with the cells and ghosts of T(Q) that are in conflict with v: a new cell of T(P \ v) is in conflict with v, as it
+// would vanish if v came back. What vanishes then is the cavity of v, whose rim is the link; so the cell's vertices are
+// on the link, or are hidden when v is there. As it is empty of P \ v it is empty of Q. The two cavities of v, in
+// T(P \ v) and in T(Q), have the same rim, and fill the same hole. A hidden point comes back only where the lifted
+// surface changes, which is above the star.
+//
+// Few points are wrapped (Chand and Kapur 1970; in the thesis InCoDe, for a hole): each open facet gets the point that
+// no other is in conflict with the cell of, until no facet is open. Of the points on the facet's open side it is the
+// one with which the sphere through the facet is emptiest; none is there: then the facet gets a ghost. Many points are
+// triangulated by insertion, and the cavity of v is dug there. If Q is flat, the filling has ghosts alone.
+//
+// Points have numbers here, 0 to Q's count - 1; a set of few of them is a mask, a bit for each.
+// Doors: paradt__filling_*, paradt__wrap_begin, paradt__wrap_apex, paradt__wrap_cell.
+
+enum {
+    PARADT__MOST_WRAPPED = 62, // points of holes that are wrapped
+    PARADT__INFINITE_BIT = 63  // of a mask, and the infinite vertex's number
+};
+
+// A facet of the hole whose inner side is not filled yet
+typedef struct paradt__opening {
+    uint64_t mask;                         // its vertices
+    paradt_index behind;                   // its mirror: a handle in the filling, or ~ a handle in the mesh
+    int closed;                            // it has been filled
+    int place;                             // in the row, of the vertex that it waits for
+    unsigned char row[PARADT_MAX_DIM + 1]; // numbers of the vertices, in the order of a positively oriented cell
+} paradt__opening;
+
+typedef struct paradt__filling {
+    paradt__list points;  // Q, positions: first the link's vertices
+    size_t link_count;    // number of these
+    size_t count;         // cells and ghosts that fill the hole
+    paradt__list rows;    // [count][corners] vertices
+    paradt__list links;   // [count][corners] handles in the filling, or ~ handles in the mesh
+    paradt__list numbers; // hash table of pairs: a position or a place, and its number
+    size_t numbers_mask;
+    paradt__opening *openings; // [opening_capacity] a stack
+    size_t opening_count, opening_capacity;
+    paradt__list table; // hash table of openings
+    size_t table_mask;
+    const double *record[PARADT__MOST_WRAPPED];
+    // in space, while spheres are kept: coordinates relative to v, lifts, and the spheres of the filling's cells
+    double x[4][PARADT__MOST_WRAPPED + 2]; // [3]: the lift
+    paradt__frame frame;
+    paradt__sphere *spheres; // [sphere_capacity]
+    size_t sphere_capacity;
+} paradt__filling;
+
+static void paradt__filling_free(paradt__filling *f, paradt__memory *memory) {
+    paradt__list_free(&f->points, memory);
+    paradt__list_free(&f->rows, memory);
+    paradt__list_free(&f->links, memory);
+    paradt__list_free(&f->numbers, memory);
+    paradt__list_free(&f->table, memory);
+    paradt__release(memory, f->openings);
+    paradt__release(memory, f->spheres);
+}
+
+// --- the hole
+
+// Which cells of a star have been met: while they are few in a table, for the marks of a mesh are seldom in a cache;
+// then they have the mark PARADT__CONFLICT.
+typedef struct paradt__met {
+    int marked;
+    paradt_index table[256];
+} paradt__met;
+
+// Notes a cell. Returns 0 if it has been met before.
+PARADT__INLINE int paradt__met_add(paradt__met *met, paradt__mesh *mesh, const paradt__update *update,
+                                   paradt_index place) {
+    enum { FEW = 64 };
+    size_t at = (uint32_t)place * 0x9E3779B1u >> 24, i;
+    if (!PARADT__LIKELY(!met->marked)) return paradt__mesh_mark(mesh, (size_t)place, PARADT__CONFLICT);
+    for (; met->table[at] >= 0; at = (at + 1) % 256) {
+        if (met->table[at] == place) return 0;
+    }
+    met->table[at] = place;
+    if (update->killed_count < FEW) return 1;
+    met->marked = 1;
+    for (i = 0; i < update->killed_count; i++)
+        paradt__mesh_mark(mesh, (size_t)paradt__mesh_cell(mesh, update->killed[i]), PARADT__CONFLICT);
+    return paradt__mesh_mark(mesh, (size_t)place, PARADT__CONFLICT);
+}
+
+// Collects the cells and ghosts around a vertex of a cell: update.killed are their first handles, and build->rim their
+// facets opposite the vertex. No marks are left.
+static paradt_status paradt__filling_cells(paradt__insertion *build, paradt_index vertex, paradt_index cell) {
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    paradt_index corners = mesh->corners, i;
+    size_t head, more = (size_t)corners;
+    paradt__met met;
+    paradt_status status = paradt__list_room(&update->killed, 0, &update->killed_capacity, more, build->memory);
+    if (status) return status;
+    memset(&met, -1, sizeof met);
+    met.marked = 0;
+    update->killed[0] = cell * corners;
+    update->killed_count = 1;
+    paradt__met_add(&met, mesh, update, cell);
+    build->rim_count = 0;
+    for (head = 0; head < update->killed_count && !status; head++) {
+        paradt_index base = update->killed[head];
+        status = paradt__list_room(&update->killed, update->killed_count, &update->killed_capacity,
+                                   update->killed_count + more, build->memory);
+        if (!status)
+            status = paradt__list_room(&build->rim, build->rim_count, &build->rim_capacity, build->rim_count + 1,
+                                       build->memory);
+        for (i = base; i < base + corners && !status; i++) {
+            paradt_index other = paradt__mesh_cell(mesh, mesh->links[i]);
+            if (mesh->vertices[i] == vertex) {
+                build->rim[build->rim_count++] = i;
+                PARADT__PREFETCH_TO_WRITE(mesh->links + mesh->links[i]);
+            } else if (paradt__met_add(&met, mesh, update, other)) {
+                update->killed[update->killed_count++] = other * corners;
+                paradt__fetch_row(mesh->vertices, mesh->links, (size_t)other, more);
+            }
+        }
+    }
+    for (head = 0; head < update->killed_count && met.marked; head++)
+        paradt__mesh_unmark(mesh, (size_t)paradt__mesh_cell(mesh, update->killed[head]), PARADT__CONFLICT);
+    return status;
+}
+
+// Empties the table of numbers and makes room for so many.
+static paradt_status paradt__filling_number_room(paradt__filling *f, size_t count, paradt__memory *memory) {
+    size_t slots = 16, i;
+    paradt_status status;
+    while (slots < 2 * count) slots *= 2;
+    status = paradt__list_room(&f->numbers.items, 0, &f->numbers.capacity, 2 * slots, memory);
+    if (status) return status;
+    f->numbers_mask = slots - 1;
+    for (i = 0; i < slots; i++) f->numbers.items[2 * i] = PARADT__OPEN;
+    return PARADT_OK;
+}
+
+// Returns the pair of a position or a place in the table of numbers. If it is not there, its key is PARADT__OPEN.
+PARADT__INLINE paradt_index *paradt__filling_pair(const paradt__filling *f, paradt_index key) {
+    size_t at = (size_t)((uint32_t)key * 0x9E3779B1u >> 8) & f->numbers_mask;
+    while (f->numbers.items[2 * at] != key && f->numbers.items[2 * at] != PARADT__OPEN) at = (at + 1) & f->numbers_mask;
+    return f->numbers.items + 2 * at;
+}
+
+// Collects the hole of a vertex: its cells and ghosts, its rim, and the vertices of the link.
+static paradt_status paradt__filling_star(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+                                          paradt_index cell) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    paradt_index corners = mesh->corners, i;
+    size_t most, at;
+    paradt_status status = paradt__filling_cells(build, vertex, cell);
+    if (status) return status;
+    most = build->update.killed_count + (size_t)corners; // as a cell has at most one vertex that cells before lack
+    status = paradt__filling_number_room(f, most, build->memory);
+    if (!status) status = paradt__list_room(&f->points.items, 0, &f->points.capacity, most, build->memory);
+    if (status) return status;
+    f->points.count = 0;
+    for (at = 0; at < build->update.killed_count; at++) {
+        const paradt_index *row = mesh->vertices + build->update.killed[at];
+        for (i = 0; i < corners; i++) {
+            paradt_index *pair;
+            if (row[i] == vertex || row[i] < 0) continue;
+            pair = paradt__filling_pair(f, row[i]);
+            if (*pair == row[i]) continue;
+            PARADT_ASSERT(f->points.count < most);
+            pair[0] = row[i];
+            pair[1] = (paradt_index)f->points.count;
+            f->points.items[f->points.count++] = row[i];
+            PARADT__PREFETCH(paradt__scene_record(&build->scene, row[i]));
+        }
+    }
+    f->link_count = f->points.count;
+    return PARADT_OK;
+}
+
+// Makes a set of Q, with v as one more record behind it. set: zeroed; its records and origin are the caller's to free
+static paradt_status paradt__filling_set(const paradt__filling *f, const paradt__insertion *build, paradt_index vertex,
+                                         paradt__set *set) {
+    const paradt__scene *scene = &build->scene;
+    size_t i;
+    set->width = scene->width;
+    set->count = f->points.count + 1;
+    set->records = (double *)paradt__alloc(build->memory, set->count, set->width * sizeof(double));
+    if (!set->records) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < set->count; i++)
+        paradt__copy_record(set->records + i * set->width,
+                            paradt__scene_record(scene, i + 1 < set->count ? f->points.items[i] : vertex), set->width);
+    set->space.ambient = scene->space.ambient;
+    set->space.weighted = scene->space.weighted;
+    paradt__set_measure(set, &paradt__alone, scene->space.dim);
+    set->count--;
+    return PARADT_OK;
+}
+
+// Do the points of a set not span their dimension?
+static int paradt__filling_set_is_flat(paradt__set *set) {
+    paradt_index basis[PARADT_MAX_DIM + 1];
+    return paradt__set_basis(set, NULL, 0, basis, NULL, &set->space.counters, NULL) <= set->space.dim;
+}
+
+// Is Q flat? *flat is filled.
+static paradt_status paradt__filling_is_flat(const paradt__filling *f, const paradt__insertion *build,
+                                             paradt_index vertex, int *flat) {
+    paradt__set set;
+    paradt_status status;
+    memset(&set, 0, sizeof set);
+    status = paradt__filling_set(f, build, vertex, &set);
+    if (!status) *flat = paradt__filling_set_is_flat(&set);
+    paradt__set_free(&set, build->memory);
+    return status;
+}
+
+// Makes room for so many cells of the filling.
+PARADT__INLINE paradt_status paradt__filling_room(paradt__filling *f, size_t count, size_t corners,
+                                                  paradt__memory *memory) {
+    size_t used = f->count * corners;
+    paradt_status status = paradt__list_room(&f->rows.items, used, &f->rows.capacity, count * corners, memory);
+    return status ? status : paradt__list_room(&f->links.items, used, &f->links.capacity, count * corners, memory);
+}
+
+// --- few points
+
+PARADT__INLINE size_t paradt__opening_slot(const paradt__filling *f, uint64_t mask) {
+    return (size_t)((mask * UINT64_C(0x9e3779b97f4a7c15)) >> 32) & f->table_mask;
+}
+
+// Enters an opening into the table, which has room.
+PARADT__INLINE void paradt__opening_enter(const paradt__filling *f, size_t opening) {
+    size_t at = paradt__opening_slot(f, f->openings[opening].mask);
+    while (f->table.items[at] >= 0) at = (at + 1) & f->table_mask;
+    f->table.items[at] = (paradt_index)opening;
+}
+
+// Returns the opening that has a mask, or NULL. Every facet opens once and closes once, so that nothing leaves the
+// table.
+PARADT__INLINE paradt__opening *paradt__opening_find(const paradt__filling *f, uint64_t mask) {
+    size_t at = paradt__opening_slot(f, mask);
+    for (; f->table.items[at] >= 0; at = (at + 1) & f->table_mask) {
+        if (f->openings[f->table.items[at]].mask == mask) return f->openings + f->table.items[at];
+    }
+    return NULL;
+}
+
+// Makes the table anew, with at least four slots an opening.
+static paradt_status paradt__opening_table(paradt__filling *f, size_t count, paradt__memory *memory) {
+    size_t slots = 64, i;
+    paradt_status status;
+    while (slots < 4 * count) slots *= 2;
+    status = paradt__list_room(&f->table.items, 0, &f->table.capacity, slots, memory);
+    if (status) return status;
+    f->table_mask = slots - 1;
+    for (i = 0; i < slots; i++) f->table.items[i] = PARADT__OPEN;
+    for (i = 0; i < f->opening_count; i++) paradt__opening_enter(f, i);
+    return PARADT_OK;
+}
+
+// Makes room for some more openings. The table is at most half full.
+PARADT__INLINE paradt_status paradt__opening_room(paradt__filling *f, size_t more, paradt__memory *memory) {
+    size_t count = f->opening_count + more;
+    if (!PARADT__LIKELY(count <= f->opening_capacity)) {
+        void *openings = f->openings;
+        if (!paradt__grow(memory, &openings, f->opening_count, 2 * count, sizeof *f->openings))
+            return PARADT_ERROR_MEMORY;
+        f->openings = (paradt__opening *)openings;
+        f->opening_capacity = 2 * count;
+    }
+    return PARADT__LIKELY(2 * count <= f->table_mask) ? PARADT_OK : paradt__opening_table(f, count, memory);
+}
+
+// Opens the facets of the rim.
+static paradt_status paradt__wrap_begin(paradt__filling *f, const paradt__insertion *build) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    size_t i;
+    int corners = mesh->corners, j;
+    paradt_status status;
+    f->count = f->opening_count = 0;
+    for (i = 0; i < f->points.count; i++) f->record[i] = paradt__scene_record(&build->scene, f->points.items[i]);
+    status = paradt__opening_table(f, 2 * build->rim_count, build->memory);
+    if (!status) status = paradt__opening_room(f, build->rim_count, build->memory);
+    for (i = 0; i < build->rim_count && !status; i++) {
+        paradt__opening *o = f->openings + f->opening_count;
+        paradt_index handle = build->rim[i];
+        const paradt_index *row = mesh->vertices + build->update.killed[i];
+        o->place = (int)(handle - build->update.killed[i]);
+        o->behind = ~mesh->links[handle];
+        o->closed = 0;
+        o->mask = 0;
+        for (j = 0; j < corners; j++) {
+            o->row[j] = PARADT__INFINITE_BIT;
+            if (j == o->place) continue;
+            if (row[j] >= 0) o->row[j] = (unsigned char)paradt__filling_pair(f, row[j])[1];
+            o->mask |= (uint64_t)1 << o->row[j];
+        }
+        paradt__opening_enter(f, f->opening_count++);
+    }
+    return status;
+}
+
+// Returns the number of the point that makes a cell with an open facet: of the points on its open side the one with
+// which no other is in conflict; or PARADT__INFINITE_BIT if none is there. A point in conflict with the cell of another
+// is on the open side, too, as the facet is one of T(Q).
+static int paradt__wrap_apex(const paradt__filling *f, paradt__scene *scene, const paradt__opening *o) {
+    const double *p[PARADT_MAX_DIM + 2];
+    int corners = scene->mesh.corners, count = (int)f->points.count, best = PARADT__INFINITE_BIT, i;
+    for (i = 0; i < corners; i++) p[i] = i == o->place ? NULL : f->record[o->row[i]];
+    for (i = 0; i < count; i++) {
+        if (o->mask >> i & 1) continue;
+        if (best == PARADT__INFINITE_BIT) {
+            p[o->place] = f->record[i];
+            if (paradt__orient(&scene->space, p) > 0) best = i;
+            continue;
+        }
+        p[corners] = f->record[i];
+        if (!paradt__conflict(&scene->space, p)) continue;
+        best = i;
+        p[o->place] = f->record[i];
+    }
+    return best;
+}
+
+// Ties a facet of a new cell of the filling to its mirror if this is open, or opens it. handle: of the facet; mask: its
+// vertices; row: of the cell
+PARADT__INLINE void paradt__wrap_tie(paradt__filling *f, paradt_index handle, uint64_t mask, const unsigned char *row,
+                                     int opposite, int corners) {
+    paradt__opening *o = paradt__opening_find(f, mask);
+    int i, first = -1;
+    if (o) {
+        PARADT_ASSERT(!o->closed);
+        f->links.items[handle] = o->behind;
+        if (o->behind >= 0) f->links.items[o->behind] = handle;
+        o->closed = 1;
+        return;
+    }
+    o = f->openings + f->opening_count;
+    o->mask = mask;
+    o->behind = handle;
+    o->closed = 0;
+    o->place = opposite;
+    for (i = 0; i < corners; i++) o->row[i] = row[i];
+    if (corners == 2) { // on a line the open side is told by the place
+        o->row[opposite] = row[1 - opposite];
+        o->place = 1 - opposite;
+    }
+    for (i = 0; i < corners && corners > 2; i++) { // from the other side, two vertices are exchanged
+        unsigned char swap = row[i];
+        if (i == opposite) continue;
+        if (first < 0) {
+            first = i;
+            continue;
+        }
+        o->row[i] = row[first];
+        o->row[first] = swap;
+        break;
+    }
+    paradt__opening_enter(f, f->opening_count++);
+}
+
+// Makes the cell or ghost of an open facet and a point.
+static paradt_status paradt__wrap_cell(paradt__filling *f, size_t opening, int apex, int corners,
+                                       paradt__memory *memory) {
+    unsigned char row[PARADT_MAX_DIM + 1];
+    uint64_t mask = f->openings[opening].mask | (uint64_t)1 << apex;
+    paradt_index base = (paradt_index)f->count * corners;
+    int i, place = f->openings[opening].place;
+    paradt_status status = paradt__filling_room(f, f->count + 1, (size_t)corners, memory);
+    if (!status) status = paradt__opening_room(f, (size_t)corners, memory);
+    if (status) return status;
+    f->count++;
+    memcpy(row, f->openings[opening].row, sizeof row);
+    row[place] = (unsigned char)apex;
+    for (i = 0; i < corners; i++) {
+        f->rows.items[base + i] =
+            row[i] == PARADT__INFINITE_BIT ? (paradt_index)PARADT__INFINITE : f->points.items[row[i]];
+        paradt__wrap_tie(f, base + i, mask & ~((uint64_t)1 << row[i]), row, i, corners);
+    }
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>filling holes
+//
+// Holes of vertices are filled: in any dimension by exact predicates alone, in space faster, and with many points by
+// their triangulation.
+//
+// In space, where spheres are kept, floating point proposes the point for a facet and proves that it is right. Among
+// the spheres through a facet the power of a point changes by a multiple of its height over the facet; of all points at
+// a height above 0 the one with the least quotient of power, with regard to the cell behind the facet, and height is
+// proposed. Its sphere is made with a bound on its error, by >>kept spheres, with v for the centre of the box. All is
+// proved if the bound says that the cell is positively oriented, and the powers of all other points exceed it.
+// Door: paradt__filling_make.
+
+#if PARADT_MAX_DIM >= 3
+// Makes the points' coordinates relative to v.
+static void paradt__wrap_centre(paradt__filling *f, const double *v) {
+    size_t count = f->points.count, padded = (count + 3) & ~(size_t)3, i;
+    int axis;
+    f->frame.square = f->frame.slack = 0.0;
+    for (axis = 0; axis < 3; axis++) {
+        double most = 0.0;
+        for (i = 0; i < count; i++) {
+            f->x[axis][i] = f->record[i][axis] - v[axis];
+            most = paradt__larger(most, paradt__abs(f->x[axis][i]));
+        }
+        for (; i < padded; i++) f->x[axis][i] = f->x[axis][0];
+        f->frame.half[axis] = most * 1.0000002;
+        f->frame.square += f->frame.half[axis] * f->frame.half[axis];
+    }
+    for (i = 0; i < padded; i++)
+        f->x[3][i] = f->x[0][i] * f->x[0][i] + f->x[1][i] * f->x[1][i] + f->x[2][i] * f->x[2][i];
+}
+
+// Makes the sphere of a cell of points.
+static void paradt__wrap_sphere(const paradt__filling *f, const unsigned char *row, paradt__sphere *sphere) {
+    const double *p = f->record[row[3]];
+    paradt__spoke a = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[0]]);
+    paradt__spoke b = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[1]]);
+    paradt__spoke c = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[2]]);
+    paradt__centred centred;
+    int axis;
+    for (axis = 0; axis < 3; axis++) centred.s[axis] = f->x[axis][row[3]];
+    centred.lift = f->x[3][row[3]];
+    paradt__sphere_make(PARADT__MAKE_SHARP, &f->frame, &centred, b.edge, a.edge, c.edge, sphere->normal,
+                        &sphere->constant, &sphere->error);
+}
+
+// The sphere through v and the vertices of a facet, for proposing alone
+static void paradt__wrap_sphere_of_rim(const paradt__filling *f, int p, int q, int r, paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    double qr[3], rp[3], pq[3], det;
+    int i, j, k;
+    for (i = 0; i < 3; i++) {
+        j = (i + 1) % 3;
+        k = (i + 2) % 3;
+        qr[i] = x[j][q] * x[k][r] - x[k][q] * x[j][r];
+        rp[i] = x[j][r] * x[k][p] - x[k][r] * x[j][p];
+        pq[i] = x[j][p] * x[k][q] - x[k][p] * x[j][q];
+    }
+    det = x[0][p] * qr[0] + x[1][p] * qr[1] + x[2][p] * qr[2];
+    for (i = 0; i < 3; i++) sphere->normal[i] = -(x[3][p] * qr[i] + x[3][q] * rp[i] + x[3][r] * pq[i]) / det;
+    sphere->constant = 0.0;
+}
+
+// An open facet's plane: height(x) = normal . x - level, positive on the open side
+typedef struct paradt__wrap_plane {
+    double normal[3], level;
+    double flat; // more than the error of a height: what is not higher is not proposed
+} paradt__wrap_plane;
+
+static void paradt__wrap_plane_of(const paradt__filling *f, const paradt__opening *o, paradt__wrap_plane *plane) {
+    const unsigned char *order = paradt__facet_order[o->place];
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    int p = o->row[order[0]], q = o->row[order[1]], r = o->row[order[2]], i;
+    double ax = x[0][q] - x[0][p], ay = x[1][q] - x[1][p], az = x[2][q] - x[2][p];
+    double bx = x[0][r] - x[0][p], by = x[1][r] - x[1][p], bz = x[2][r] - x[2][p];
+    plane->normal[0] = ay * bz - az * by;
+    plane->normal[1] = az * bx - ax * bz;
+    plane->normal[2] = ax * by - ay * bx;
+    plane->level = plane->flat = 0.0;
+    for (i = 0; i < 3; i++) {
+        plane->level += plane->normal[i] * x[i][p];
+        plane->flat += 1e-13 * paradt__abs(plane->normal[i]) * f->frame.half[i];
+    }
+}
+
+// Two functions have versions for AVX2.
+typedef struct paradt__wrap_kernels {
+    // Proposes the number of a point for an open facet, or PARADT__INFINITE_BIT. sphere: of the cell behind it
+    int (*propose)(const paradt__filling *f, const paradt__wrap_plane *plane, const paradt__sphere *sphere);
+    // Returns the mask of the points whose powers do not exceed the bound on their error.
+    uint64_t (*doubtful)(const paradt__filling *f, const paradt__sphere *sphere);
+} paradt__wrap_kernels;
+
+// The kernel `propose`
+static int paradt__wrap_propose_plain(const paradt__filling *f, const paradt__wrap_plane *plane,
+                                      const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x, *n = plane->normal, *m = sphere->normal;
+    double least = PARADT__NO_ERROR_BOUND;
+    int count = (int)f->points.count, i, best = PARADT__INFINITE_BIT;
+    for (i = 0; i < count; i++) {
+        double height = n[0] * x[0][i] + n[1] * x[1][i] + n[2] * x[2][i] - plane->level;
+        double power = (x[3][i] + sphere->constant) + (m[0] * x[0][i] + m[1] * x[1][i] + m[2] * x[2][i]);
+        if (!(height > plane->flat) || !(power < least * height)) continue;
+        least = power / height;
+        best = i;
+    }
+    return best;
+}
+
+// The kernel `doubtful`
+static uint64_t paradt__wrap_doubtful_plain(const paradt__filling *f, const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x, *m = sphere->normal;
+    uint64_t mask = 0;
+    size_t i;
+    for (i = 0; i < f->points.count; i++) {
+        double power = (x[3][i] + sphere->constant) + (m[0] * x[0][i] + m[1] * x[1][i] + m[2] * x[2][i]);
+        mask |= (uint64_t) !(power > sphere->error) << i;
+    }
+    return mask;
+}
+
+#if defined(PARADT__KEPT_AVX2)
+// The value of an affine function at four points
+PARADT__AVX2 static inline __m256d paradt__wrap_four(const double (*x)[PARADT__MOST_WRAPPED + 2], size_t i,
+                                                     const double *normal, __m256d rest) {
+    rest = _mm256_fmadd_pd(_mm256_set1_pd(normal[2]), _mm256_loadu_pd(x[2] + i), rest);
+    rest = _mm256_fmadd_pd(_mm256_set1_pd(normal[1]), _mm256_loadu_pd(x[1] + i), rest);
+    return _mm256_fmadd_pd(_mm256_set1_pd(normal[0]), _mm256_loadu_pd(x[0] + i), rest);
+}
+
+// The kernel `propose`. The points are padded with the first.
+PARADT__AVX2 static int paradt__wrap_propose_avx2(const paradt__filling *f, const paradt__wrap_plane *plane,
+                                                  const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND), at = _mm256_setr_pd(0.0, 1.0, 2.0, 3.0);
+    __m256d best = _mm256_set1_pd((double)PARADT__INFINITE_BIT), four = _mm256_set1_pd(4.0);
+    double quotients[4], numbers[4];
+    size_t i;
+    int lane, which = 0;
+    for (i = 0; i < f->points.count; i += 4) {
+        __m256d height = paradt__wrap_four(x, i, plane->normal, _mm256_set1_pd(-plane->level));
+        __m256d power = paradt__wrap_four(x, i, sphere->normal,
+                                          _mm256_add_pd(_mm256_loadu_pd(x[3] + i), _mm256_set1_pd(sphere->constant)));
+        __m256d quotient = _mm256_div_pd(power, height);
+        __m256d better = _mm256_and_pd(_mm256_cmp_pd(height, _mm256_set1_pd(plane->flat), _CMP_GT_OQ),
+                                       _mm256_cmp_pd(quotient, least, _CMP_LT_OQ));
+        least = _mm256_blendv_pd(least, quotient, better);
+        best = _mm256_blendv_pd(best, at, better);
+        at = _mm256_add_pd(at, four);
+    }
+    _mm256_storeu_pd(quotients, least);
+    _mm256_storeu_pd(numbers, best);
+    for (lane = 1; lane < 4; lane++) which = quotients[lane] < quotients[which] ? lane : which;
+    if (numbers[which] < (double)f->points.count) return (int)numbers[which];
+    return numbers[which] < (double)PARADT__INFINITE_BIT ? 0 : (int)PARADT__INFINITE_BIT;
+}
+
+// The kernel `doubtful`
+PARADT__AVX2 static uint64_t paradt__wrap_doubtful_avx2(const paradt__filling *f, const paradt__sphere *sphere) {
+    const double(*x)[PARADT__MOST_WRAPPED + 2] = f->x;
+    uint64_t mask = 0;
+    size_t i;
+    for (i = 0; i < f->points.count; i += 4) {
+        __m256d power = paradt__wrap_four(x, i, sphere->normal,
+                                          _mm256_add_pd(_mm256_loadu_pd(x[3] + i), _mm256_set1_pd(sphere->constant)));
+        __m256d doubt = _mm256_cmp_pd(power, _mm256_set1_pd(sphere->error), _CMP_NGT_UQ);
+        mask |= (uint64_t)_mm256_movemask_pd(doubt) << i;
+    }
+    return mask & (((uint64_t)1 << f->points.count) - 1);
+}
+#endif
+
+static paradt__wrap_kernels paradt__choose_wrap_kernels(void) {
+    paradt__wrap_kernels kernels = {paradt__wrap_propose_plain, paradt__wrap_doubtful_plain};
+#if defined(PARADT__KEPT_AVX2)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        kernels.propose = paradt__wrap_propose_avx2;
+        kernels.doubtful = paradt__wrap_doubtful_avx2;
+    }
+#endif
+    return kernels;
+}
+
+// Finds the point for an open facet in space, and makes the sphere of the cell. A vertex of the cell is always in
+// doubt.
+PARADT__INLINE int paradt__wrap_apex_in_space(paradt__filling *f, paradt__scene *scene, const paradt__opening *o,
+                                              const paradt__wrap_kernels *kernels) {
+    const unsigned char *order = paradt__facet_order[o->place];
+    paradt__sphere behind, *sphere = f->spheres + f->count;
+    paradt__wrap_plane plane;
+    unsigned char row[4];
+    int apex, exact;
+    if (o->behind >= 0) behind = f->spheres[o->behind >> 2];
+    else paradt__wrap_sphere_of_rim(f, o->row[order[0]], o->row[order[1]], o->row[order[2]], &behind);
+    paradt__wrap_plane_of(f, o, &plane);
+    apex = kernels->propose(f, &plane, &behind);
+    memcpy(row, o->row, sizeof row);
+    row[o->place] = (unsigned char)apex;
+    if (PARADT__LIKELY(apex != PARADT__INFINITE_BIT)) {
+        uint64_t mask = o->mask | (uint64_t)1 << apex;
+        paradt__wrap_sphere(f, row, sphere);
+        if (PARADT__LIKELY(sphere->error < PARADT__NO_ERROR_BOUND && !(kernels->doubtful(f, sphere) & ~mask)))
+            return apex;
+    }
+    exact = paradt__wrap_apex(f, scene, o);
+    row[o->place] = (unsigned char)exact;
+    if (exact != apex && exact != PARADT__INFINITE_BIT) paradt__wrap_sphere(f, row, sphere);
+    return exact;
+}
+
+// Makes room for the sphere of one more cell.
+static paradt_status paradt__wrap_sphere_room(paradt__filling *f, paradt__memory *memory) {
+    void *spheres = f->spheres;
+    size_t capacity = 2 * f->count + 64;
+    if (PARADT__LIKELY(f->count < f->sphere_capacity)) return PARADT_OK;
+    if (!paradt__grow(memory, &spheres, f->count, capacity, sizeof *f->spheres)) return PARADT_ERROR_MEMORY;
+    f->spheres = (paradt__sphere *)spheres;
+    f->sphere_capacity = capacity;
+    return PARADT_OK;
+}
+#endif
+
+// Fills the hole by wrapping. Facets with the infinite vertex wait until the cells on both sides are there: each ghost
+// stands on a finite facet, which gets it.
+static paradt_status paradt__wrap(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
+    paradt__scene *scene = &build->scene;
+    size_t at;
+    int apex;
+    paradt_status status = paradt__wrap_begin(f, build);
+#if PARADT_MAX_DIM >= 3
+    const paradt__wrap_kernels kernels = paradt__choose_wrap_kernels();
+    if (!status && build->kept) paradt__wrap_centre(f, paradt__scene_record(scene, vertex));
+#endif
+    (void)vertex;
+    for (at = 0; at < f->opening_count && !status; at++) {
+        if (f->openings[at].closed || f->openings[at].mask >> PARADT__INFINITE_BIT) continue;
+#if PARADT_MAX_DIM >= 3
+        if (build->kept) status = paradt__wrap_sphere_room(f, build->memory);
+        if (status) break;
+        apex = build->kept ? paradt__wrap_apex_in_space(f, scene, f->openings + at, &kernels)
+                           : paradt__wrap_apex(f, scene, f->openings + at);
+#else
+        apex = paradt__wrap_apex(f, scene, f->openings + at);
+#endif
+        status = paradt__wrap_cell(f, at, apex, scene->mesh.corners, build->memory);
+    }
+    for (at = 0; at < f->opening_count && !status; at++) PARADT_ASSERT(f->openings[at].closed);
+    return status;
+}
+
+// --- many points
+
+// Fills the hole with ghosts alone, one on each finite facet of the rim. Two neighbours around v become two neighbours;
+// where one of them is a ghost, its neighbour beyond the rim takes its place.
+static paradt_status paradt__fill_with_ghosts(paradt__filling *f, const paradt__insertion *build) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    paradt_index corners = mesh->corners, i;
+    size_t count = build->update.killed_count, at;
+    paradt_status status = paradt__filling_number_room(f, count, build->memory);
+    f->count = 0;
+    if (!status) status = paradt__filling_room(f, count, (size_t)corners, build->memory);
+    if (status) return status;
+    for (at = 0; at < count; at++) {
+        paradt_index place = build->update.killed[at] / corners, *pair = paradt__filling_pair(f, place);
+        int finite = paradt__is_finite_cell(paradt__mesh_row(mesh, place), corners);
+        pair[0] = place;
+        pair[1] = finite ? (paradt_index)f->count++ * corners : ~mesh->links[build->rim[at]];
+    }
+    for (at = 0; at < count; at++) {
+        paradt_index base = build->update.killed[at], to = paradt__filling_pair(f, base / corners)[1];
+        if (to < 0) continue;
+        for (i = 0; i < corners; i++) {
+            paradt_index mirror = mesh->links[base + i];
+            f->rows.items[to + i] = mesh->vertices[base + i];
+            if (base + i == build->rim[at]) {
+                f->rows.items[to + i] = PARADT__INFINITE;
+                f->links.items[to + i] = ~mirror;
+            } else {
+                paradt_index other = paradt__filling_pair(f, mirror / corners)[1];
+                f->links.items[to + i] = other < 0 ? other : other + mirror % corners;
+            }
+        }
+    }
+    return PARADT_OK;
+}
+
+// Takes over the cavity that was dug in T(Q) as the filling. rim: a table of the facets beyond the hole's rim
+static paradt_status paradt__fill_from(paradt__filling *f, const paradt__insertion *build, const paradt__insertion *dug,
+                                       const paradt__facets *rim) {
+    const paradt__mesh *from = &dug->scene.mesh;
+    const int corners = from->corners;
+    paradt_index i;
+    size_t at, count = dug->update.killed_count;
+    paradt__mesh filled; // only its rows
+    paradt_status status = paradt__filling_number_room(f, count, build->memory);
+    f->count = 0;
+    if (!status) status = paradt__filling_room(f, count, (size_t)corners, build->memory);
+    if (status) return status;
+    memset(&filled, 0, sizeof filled);
+    filled.corners = corners;
+    filled.vertices = f->rows.items;
+    f->count = count;
+    for (at = 0; at < count; at++) {
+        paradt_index place = dug->update.killed[at] / corners, *pair = paradt__filling_pair(f, place);
+        pair[0] = place;
+        pair[1] = (paradt_index)at * corners;
+    }
+    for (at = 0; at < count; at++) {
+        paradt_index base = dug->update.killed[at] - dug->update.killed[at] % corners, to = (paradt_index)at * corners;
+        for (i = 0; i < corners; i++) {
+            paradt_index vertex = from->vertices[base + i];
+            f->rows.items[to + i] = vertex < 0 ? vertex : f->points.items[vertex];
+        }
+        for (i = 0; i < corners; i++) {
+            paradt_index mirror = from->links[base + i];
+            if (from->marks[mirror / corners] & PARADT__CONFLICT) {
+                f->links.items[to + i] = paradt__filling_pair(f, mirror / corners)[1] + mirror % corners;
+            } else {
+                paradt__facet_key key = paradt__facet_key_of(rim, &filled, to + i);
+                paradt_index outer =
+                    paradt__facets_find(rim, &build->scene.mesh, key, filled.vertices, to + i, corners);
+                PARADT_ASSERT(outer >= 0);
+                f->links.items[to + i] = ~outer;
+            }
+        }
+    }
+    return PARADT_OK;
+}
+
+// Digs the cavity of v in T(Q), whose mesh is made.
+static paradt_status paradt__fill_dig(paradt__filling *f, const paradt__insertion *build, paradt__insertion *dug) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    const double *x = dug->scene.records + f->points.count * dug->scene.width;
+    paradt__facets rim;
+    size_t at;
+    paradt_status status = paradt__list_room(&dug->update.killed, 0, &dug->update.killed_capacity, 64, build->memory);
+    if (!status) status = paradt__cavity_dig(dug, paradt__walk(&dug->scene, dug->scene.hint, x), x);
+    if (status) return status;
+    status = paradt__facets_begin(&rim, 0, 1, build->memory);
+    if (!status) status = paradt__facets_room(&rim, build->rim_count, build->memory);
+    for (at = 0; at < build->rim_count && !status; at++) {
+        paradt_index outer = mesh->links[build->rim[at]];
+        paradt__facet_key key = paradt__facet_key_of(&rim, mesh, outer);
+        paradt__facets_match(&rim, mesh, paradt__facets_chain(&rim, key), key, outer, mesh->corners);
+    }
+    PARADT_ASSERT(status || rim.count == dug->rim_count);
+    if (!status) status = paradt__fill_from(f, build, dug, &rim);
+    paradt__facets_free(&rim, build->memory);
+    return status;
+}
+
+// Fills the hole by a triangulation of Q.
+static paradt_status paradt__fill_by_insertion(paradt__filling *f, const paradt__insertion *build,
+                                               paradt_index vertex) {
+    paradt__memory *memory = build->memory;
+    paradt__set set;
+    paradt__insertion dug;
+    paradt__progress silent;
+    paradt_index *order = NULL;
+    paradt_status status;
+    int flat = 0;
+    memset(&set, 0, sizeof set);
+    memset(&dug, 0, sizeof dug);
+    memset(&silent, 0, sizeof silent);
+    dug.memory = memory;
+    status = paradt__filling_set(f, build, vertex, &set);
+    if (!status) flat = paradt__filling_set_is_flat(&set);
+    if (!status && flat) status = paradt__fill_with_ghosts(f, build);
+    if (!status && !flat) {
+        order = paradt__late_order(&set, memory);
+        status = order ? PARADT_OK : PARADT_ERROR_MEMORY;
+        if (!status) {
+            paradt__insertion_begin(&dug, &set, order, memory);
+            status = paradt__insertion_run(&dug, &silent);
+            paradt__insertion_rest(&dug);
+        }
+        if (!status) status = paradt__fill_dig(f, build, &dug);
+    }
+    paradt__insertion_end(&dug);
+    paradt__release(memory, order);
+    paradt__set_free(&set, memory);
+    return status;
+}
+
+// Makes the filling of the hole of a vertex, which has been collected; the mesh is left as it is.
+static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
+    if (f->points.count > PARADT__MOST_WRAPPED) return paradt__fill_by_insertion(f, build, vertex);
+    return paradt__wrap(f, build, vertex);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>state of a living set
+//
+// What a living set keeps, and how changes of it are undone.
+//
+// All points at one place are one vertex, whose number is a position: its record is records + position * width, as
+// everywhere; column PARADT__OWNER names the point that stands for the place. Positions are along the curve when the
+// set is created, so that neighbours are close in memory; later ones are where there is room. Indices about ids,
+// positions and places of cells stand in columns, so that one journal serves all of them. The points at a place make a
+// pairing heap (Fredman, Sedgewick, Sleator and Tarjan, Algorithmica 1, 1986) whose root stands for the place: with
+// weights the heaviest, of these the one with the smallest id.
+//
+// A hidden point hangs on a cell that it is in. When cells die their hidden points are walked to the cells that come
+// instead, or have become vertices. Hidden places are found by a hash of their coordinates, others by the walk.
+//
+// A change begins with paradt__living_begin, and ends with paradt__living_publish or paradt__living_undo. In between,
+// paradt__living_prepare is told of each hole before it is filled, and paradt__living_settle afterwards. The journal
+// has the rows of cells that were there when the change began, each once, links between two such cells that were cut,
+// and what was in columns and records. A cell made by the change has the mark PARADT__FRESH.
+//
+// The box of the space is that of all points that ever were, and more: a point outside doubles it on that side, so that
+// it is seldom measured anew.
+// Doors: paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__mesh_has, PARADT__VERIFY_LIVING.
+
+enum {
+    // by id
+    PARADT__POSITION, // of the place; ~ the next free id where the id is free
+    PARADT__CHILD,    // the heap of the points at a place: the first of those below,
+    PARADT__SIBLING,  // the next with the same one above,
+    PARADT__BEFORE,   // the one before, or for a first child the one above. PARADT__NOWHERE: none
+    // by position
+    PARADT__OWNER,       // the id that stands for the place; ~ the next free position where the position is free
+    PARADT__CELL,        // a cell or ghost that has the vertex; of a hidden place the cell that it hangs on
+    PARADT__NEXT_HIDDEN, // on the same cell; negative: none
+    PARADT__LAST_HIDDEN, // the one before, or ~ the cell for the first; PARADT__NOWHERE: the place is a vertex
+    PARADT__NEXT_ALIKE,  // hidden place with the same hash; PARADT__OPEN: none
+    // by place of a cell
+    PARADT__HUNG, // its first hidden place; PARADT__OPEN: none
+    // by hash
+    PARADT__ALIKE, // the first hidden place with the hash; PARADT__OPEN: none
+    PARADT__COLUMNS,
+    PARADT__ID_COLUMNS = PARADT__OWNER,
+    PARADT__POSITION_COLUMNS = PARADT__HUNG
+};
+
+typedef struct paradt__tally {
+    size_t ids, positions;               // numbers that are in use or free
+    paradt_index free_id, free_position; // the first free ones; PARADT__NOWHERE: none
+    size_t points, vertices, hidden;     // points; places that are vertices; places that are hidden
+    size_t cells;                        // without ghosts
+    size_t places;                       // of the mesh, when the change began
+} paradt__tally;
+
+struct paradt_dynamic {
+    paradt__witness witness; // first: insertions tell it of cavities
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    paradt__insertion build; // scene, kept spheres; without a mesh where dim < 1
+    paradt__filling filling;
+    paradt__starts starts; // where searches start
+    size_t starts_for;     // number of vertices when they were made; 0: they were not
+    int ambient, weighted;
+    int dim;                  // of the points; -1: there are none
+    int axes[PARADT_MAX_DIM]; // the caller's axis that each coordinate of a record is along
+    int straight;             // these are the caller's axes in their order
+    double *records;          // [positions][width]
+    double *plain;            // [positions][ambient] coordinates along the caller's axes; NULL where straight
+    double *weights;          // [ids] NULL: none
+    size_t id_room, position_room, hung_room, alike_mask;
+    paradt_index *column[PARADT__COLUMNS]; // NULL: not needed
+    paradt__tally now, before;
+    int steps; // the change may replace cells more than once, and marks those that it makes
+    // the journal
+    paradt__list killed;  // a place and its rows of vertices and links
+    paradt__list torn;    // a link and what it was
+    paradt__list made;    // places
+    paradt__list log;     // a column, an index and what was there
+    paradt__list written; // positions whose records are in old_records, or ~ ids whose weights are
+    double *old_records;
+    size_t old_room;
+    // of the hole that is being filled
+    paradt__list loose;    // hidden places whose cells died
+    paradt__list suspects; // vertices of cells that died: with weights they may be hidden now
+    // what paradt_dynamic_get_update gives
+    paradt__list killed_numbers, killed_vertices;
+    int dim_before, rebuilt;
+    // the last call
+    size_t error_point;
+    const char *error_text;
+};
+
+// --- memory
+
+// Makes room for more elements in one array of a column. New ones are `fill`.
+static paradt_status paradt__living_grow_column(paradt_dynamic *d, int column, size_t used, size_t room,
+                                                paradt_index fill) {
+    void *array = d->column[column];
+    size_t i;
+    if (!paradt__grow(&d->memory, &array, used, room, sizeof(paradt_index))) return PARADT_ERROR_MEMORY;
+    d->column[column] = (paradt_index *)array;
+    for (i = used; i < room; i++) d->column[column][i] = fill;
+    return PARADT_OK;
+}
+
+static int paradt__living_has(const paradt_dynamic *d, int column) {
+    if (column == PARADT__CHILD || column == PARADT__SIBLING || column == PARADT__BEFORE)
+        return d->column[column] != NULL;
+    return column == PARADT__POSITION || column == PARADT__OWNER || column == PARADT__CELL || d->weighted;
+}
+
+// Makes room for so many ids.
+static paradt_status paradt__living_id_room(paradt_dynamic *d, size_t count) {
+    size_t room = d->id_room + d->id_room / 4 + 16;
+    void *weights = d->weights;
+    paradt_status status = PARADT_OK;
+    int column;
+    if (count <= d->id_room) return PARADT_OK;
+    if (count > (size_t)PARADT__NOWHERE / 2) return PARADT_ERROR_TOO_LARGE;
+    if (room < count) room = count;
+    for (column = 0; column < PARADT__ID_COLUMNS && !status; column++) {
+        if (paradt__living_has(d, column))
+            status = paradt__living_grow_column(d, column, d->id_room, room, PARADT__NOWHERE);
+    }
+    if (status) return status;
+    if (d->weighted) {
+        if (!paradt__grow(&d->memory, &weights, d->weights ? d->id_room : 0, room, sizeof *d->weights))
+            return PARADT_ERROR_MEMORY;
+        d->weights = (double *)weights;
+    }
+    d->id_room = room;
+    return PARADT_OK;
+}
+
+// Makes room for so many positions.
+static paradt_status paradt__living_position_room(paradt_dynamic *d, size_t count) {
+    size_t room = d->position_room + d->position_room / 4 + 16, width = d->build.scene.width * sizeof(double);
+    void *records = d->records, *plain = d->plain;
+    paradt_status status = PARADT_OK;
+    int column;
+    if (count <= d->position_room) return PARADT_OK;
+    if (room < count) room = count;
+    for (column = PARADT__OWNER; column < PARADT__POSITION_COLUMNS && !status; column++) {
+        if (paradt__living_has(d, column))
+            status = paradt__living_grow_column(d, column, d->position_room, room, PARADT__NOWHERE);
+    }
+    if (status) return status;
+    if (!paradt__grow(&d->memory, &records, d->now.positions, room, width)) return PARADT_ERROR_MEMORY;
+    d->records = (double *)records;
+    d->build.scene.records = d->records;
+    if (!d->straight) {
+        if (!paradt__grow(&d->memory, &plain, d->now.positions, room, (size_t)d->ambient * sizeof(double)))
+            return PARADT_ERROR_MEMORY;
+        d->plain = (double *)plain;
+    }
+    d->position_room = room;
+    return PARADT_OK;
+}
+
+// Makes the columns of the heap, once there are points at one place.
+static paradt_status paradt__living_heap_room(paradt_dynamic *d) {
+    int column;
+    for (column = PARADT__BEFORE; column >= PARADT__CHILD; column--) { // the first column tells that all are there
+        if (d->column[column]) continue;
+        if (paradt__living_grow_column(d, column, 0, d->id_room, PARADT__NOWHERE)) return PARADT_ERROR_MEMORY;
+    }
+    return PARADT_OK;
+}
+
+static void paradt__living_free(paradt_dynamic *d) {
+    paradt__memory *memory = &d->memory;
+    int column;
+    paradt__insertion_end(&d->build);
+    paradt__filling_free(&d->filling, memory);
+    paradt__starts_free(&d->starts, memory);
+    for (column = 0; column < PARADT__COLUMNS; column++) paradt__release(memory, d->column[column]);
+    paradt__release(memory, d->records);
+    paradt__release(memory, d->plain);
+    paradt__release(memory, d->weights);
+    paradt__release(memory, d->old_records);
+    paradt__list_free(&d->killed, memory);
+    paradt__list_free(&d->torn, memory);
+    paradt__list_free(&d->made, memory);
+    paradt__list_free(&d->log, memory);
+    paradt__list_free(&d->written, memory);
+    paradt__list_free(&d->loose, memory);
+    paradt__list_free(&d->suspects, memory);
+    paradt__list_free(&d->killed_numbers, memory);
+    paradt__list_free(&d->killed_vertices, memory);
+}
+
+// --- columns, with a journal
+
+// Makes room in a list for so many more items.
+PARADT__INLINE paradt_status paradt__list_more(paradt__list *list, size_t more, paradt__memory *memory) {
+    return paradt__list_room(&list->items, list->count, &list->capacity, list->count + more, memory);
+}
+
+// Makes room in the log for so many more changes of columns.
+PARADT__INLINE paradt_status paradt__living_log_room(paradt_dynamic *d, size_t more) {
+    return paradt__list_more(&d->log, 3 * more, &d->memory);
+}
+
+PARADT__INLINE paradt_index paradt__living_get(const paradt_dynamic *d, int column, paradt_index index) {
+    return d->column[column][index];
+}
+
+PARADT__INLINE void paradt__living_set(paradt_dynamic *d, int column, paradt_index index, paradt_index value) {
+    paradt_index *entry = d->log.items + d->log.count;
+    PARADT_ASSERT(d->log.count + 3 <= d->log.capacity);
+    entry[0] = column;
+    entry[1] = index;
+    entry[2] = d->column[column][index];
+    d->log.count += 3;
+    d->column[column][index] = value;
+}
+
+PARADT__INLINE const double *paradt__living_record(const paradt_dynamic *d, paradt_index position) {
+    return d->records + (size_t)position * d->build.scene.width;
+}
+
+// Writes the record of a position; what was there goes into the journal, which has room.
+static void paradt__living_write(paradt_dynamic *d, paradt_index position, const double *record) {
+    size_t width = d->build.scene.width;
+    double *to = d->records + (size_t)position * width;
+    int j;
+    PARADT_ASSERT(d->written.count < d->written.capacity && d->written.count < d->old_room);
+    memcpy(d->old_records + d->written.count * width, to, width * sizeof *to);
+    d->written.items[d->written.count++] = position;
+    memcpy(to, record, width * sizeof *to);
+    for (j = 0; j < d->ambient && d->plain; j++) d->plain[position * (paradt_index)d->ambient + d->axes[j]] = record[j];
+}
+
+// Makes room in the journal for one more record.
+static paradt_status paradt__living_write_room(paradt_dynamic *d) {
+    void *records = d->old_records;
+    paradt_status status = paradt__list_more(&d->written, 1, &d->memory);
+    if (status || d->written.count < d->old_room) return status;
+    if (!paradt__grow(&d->memory, &records, d->written.count, 2 * d->old_room + 8,
+                      d->build.scene.width * sizeof(double)))
+        return PARADT_ERROR_MEMORY;
+    d->old_records = (double *)records;
+    d->old_room = 2 * d->old_room + 8;
+    return PARADT_OK;
+}
+
+// --- ids and positions
+
+static paradt_index paradt__living_take_id(paradt_dynamic *d) {
+    paradt_index id = d->now.free_id;
+    if (id == PARADT__NOWHERE) return (paradt_index)d->now.ids++;
+    d->now.free_id = ~paradt__living_get(d, PARADT__POSITION, id);
+    return id;
+}
+
+static void paradt__living_give_id(paradt_dynamic *d, paradt_index id) {
+    paradt__living_set(d, PARADT__POSITION, id, ~d->now.free_id);
+    d->now.free_id = id;
+}
+
+static paradt_index paradt__living_take_position(paradt_dynamic *d) {
+    paradt_index position = d->now.free_position;
+    if (position == PARADT__NOWHERE) return (paradt_index)d->now.positions++;
+    d->now.free_position = ~paradt__living_get(d, PARADT__OWNER, position);
+    return position;
+}
+
+static void paradt__living_give_position(paradt_dynamic *d, paradt_index position) {
+    paradt__living_set(d, PARADT__OWNER, position, ~d->now.free_position);
+    d->now.free_position = position;
+}
+
+// --- points at one place
+
+// Does the first of two points stand for both?
+PARADT__INLINE int paradt__living_leads(const paradt_dynamic *d, paradt_index a, paradt_index b) {
+    if (d->weighted) {
+        int64_t x = paradt__ordered_bits(d->weights[a]), y = paradt__ordered_bits(d->weights[b]);
+        if (x != y) return x > y;
+    }
+    return a < b;
+}
+
+enum { PARADT__HEAP_CHANGES = 6 }; // of columns, that joining two heaps takes
+
+// Joins two heaps. Returns the root.
+static paradt_index paradt__heap_join(paradt_dynamic *d, paradt_index a, paradt_index b) {
+    paradt_index root = paradt__living_leads(d, a, b) ? a : b, below = root == a ? b : a;
+    paradt_index next = paradt__living_get(d, PARADT__CHILD, root);
+    paradt__living_set(d, PARADT__SIBLING, below, next);
+    if (next != PARADT__NOWHERE) paradt__living_set(d, PARADT__BEFORE, next, below);
+    paradt__living_set(d, PARADT__BEFORE, below, root);
+    paradt__living_set(d, PARADT__CHILD, root, below);
+    return root;
+}
+
+// Makes room in the log for taking a point out of its heap.
+static paradt_status paradt__heap_leave_room(paradt_dynamic *d, paradt_index id) {
+    size_t count = 2;
+    paradt_index child = paradt__living_get(d, PARADT__CHILD, id);
+    for (; child != PARADT__NOWHERE; child = paradt__living_get(d, PARADT__SIBLING, child)) count++;
+    return paradt__living_log_room(d, 2 * count * PARADT__HEAP_CHANGES);
+}
+
+// Joins the heaps below a point: in pairs, then all pairs. Returns the root, or PARADT__NOWHERE.
+static paradt_index paradt__heap_below(paradt_dynamic *d, paradt_index id) {
+    paradt_index a = paradt__living_get(d, PARADT__CHILD, id), pairs = PARADT__NOWHERE, root = PARADT__NOWHERE, next;
+    for (; a != PARADT__NOWHERE; a = next) {
+        paradt_index b = paradt__living_get(d, PARADT__SIBLING, a), pair = a;
+        next = b;
+        if (b != PARADT__NOWHERE) {
+            next = paradt__living_get(d, PARADT__SIBLING, b);
+            pair = paradt__heap_join(d, a, b);
+        }
+        paradt__living_set(d, PARADT__SIBLING, pair, pairs);
+        pairs = pair;
+    }
+    for (a = pairs; a != PARADT__NOWHERE; a = next) {
+        next = paradt__living_get(d, PARADT__SIBLING, a);
+        root = root == PARADT__NOWHERE ? a : paradt__heap_join(d, root, a);
+    }
+    if (root != PARADT__NOWHERE) {
+        paradt__living_set(d, PARADT__SIBLING, root, PARADT__NOWHERE);
+        paradt__living_set(d, PARADT__BEFORE, root, PARADT__NOWHERE);
+    }
+    return root;
+}
+
+// Takes a point out of the heap of a root; there is room in the log. Returns the new root, or PARADT__NOWHERE.
+static paradt_index paradt__heap_leave(paradt_dynamic *d, paradt_index root, paradt_index id) {
+    paradt_index below = paradt__heap_below(d, id);
+    if (id != root) {
+        paradt_index before = paradt__living_get(d, PARADT__BEFORE, id),
+                     next = paradt__living_get(d, PARADT__SIBLING, id);
+        int first = paradt__living_get(d, PARADT__CHILD, before) == id;
+        paradt__living_set(d, first ? PARADT__CHILD : PARADT__SIBLING, before, next);
+        if (next != PARADT__NOWHERE) paradt__living_set(d, PARADT__BEFORE, next, before);
+        below = below == PARADT__NOWHERE ? root : paradt__heap_join(d, root, below);
+    }
+    paradt__living_set(d, PARADT__CHILD, id, PARADT__NOWHERE);
+    paradt__living_set(d, PARADT__SIBLING, id, PARADT__NOWHERE);
+    paradt__living_set(d, PARADT__BEFORE, id, PARADT__NOWHERE);
+    return below;
+}
+
+// --- hidden places
+
+static paradt_index *paradt__alike_head(const paradt_dynamic *d, const double *record) {
+    return d->column[PARADT__ALIKE] + ((size_t)paradt__hash_coordinates(record, d->ambient) & d->alike_mask);
+}
+
+static void paradt__alike_enter(paradt_dynamic *d, paradt_index position) {
+    paradt_index *head = paradt__alike_head(d, paradt__living_record(d, position));
+    d->column[PARADT__NEXT_ALIKE][position] = *head;
+    *head = position;
+}
+
+static void paradt__alike_leave(paradt_dynamic *d, paradt_index position) {
+    paradt_index *from = paradt__alike_head(d, paradt__living_record(d, position));
+    while (*from != position) from = d->column[PARADT__NEXT_ALIKE] + *from;
+    *from = d->column[PARADT__NEXT_ALIKE][position];
+}
+
+// Returns the hidden place with these coordinates, or PARADT__NOWHERE.
+static paradt_index paradt__alike_find(const paradt_dynamic *d, const double *record) {
+    paradt_index at;
+    if (!d->now.hidden) return PARADT__NOWHERE;
+    for (at = *paradt__alike_head(d, record); at >= 0; at = d->column[PARADT__NEXT_ALIKE][at])
+        if (!paradt__compare(&d->build.scene.space, paradt__living_record(d, at), record)) return at;
+    return PARADT__NOWHERE;
+}
+
+static int paradt__living_is_hidden(const paradt_dynamic *d, paradt_index position) {
+    return d->weighted && d->column[PARADT__LAST_HIDDEN][position] != PARADT__NOWHERE;
+}
+
+// Enters all hidden places into the table anew; it has been cleared.
+static void paradt__alike_enter_all(paradt_dynamic *d) {
+    size_t i;
+    for (i = 0; i < d->now.positions; i++) {
+        if (d->column[PARADT__OWNER][i] >= 0 && paradt__living_is_hidden(d, (paradt_index)i))
+            paradt__alike_enter(d, (paradt_index)i);
+    }
+}
+
+// Makes the table so large that the hidden places, and some more, have a head each.
+static paradt_status paradt__alike_room(paradt_dynamic *d) {
+    size_t heads = 64, i;
+    paradt_index *table;
+    if (!d->weighted || (d->column[PARADT__ALIKE] && d->now.hidden <= d->alike_mask)) return PARADT_OK;
+    while (heads < 2 * d->now.hidden) heads *= 2;
+    table = (paradt_index *)paradt__alloc(&d->memory, heads, sizeof *table);
+    if (!table) return PARADT_ERROR_MEMORY;
+    paradt__release(&d->memory, d->column[PARADT__ALIKE]);
+    for (i = 0; i < heads; i++) table[i] = PARADT__OPEN;
+    d->column[PARADT__ALIKE] = table;
+    d->alike_mask = heads - 1;
+    paradt__alike_enter_all(d);
+    return PARADT_OK;
+}
+
+// Hangs a hidden place on a cell.
+static void paradt__living_hang(paradt_dynamic *d, paradt_index position, paradt_index cell) {
+    paradt_index first = paradt__living_get(d, PARADT__HUNG, cell);
+    paradt__living_set(d, PARADT__CELL, position, cell);
+    paradt__living_set(d, PARADT__NEXT_HIDDEN, position, first);
+    if (first >= 0) paradt__living_set(d, PARADT__LAST_HIDDEN, first, position);
+    paradt__living_set(d, PARADT__LAST_HIDDEN, position, ~cell);
+    paradt__living_set(d, PARADT__HUNG, cell, position);
+}
+
+static void paradt__living_unhang(paradt_dynamic *d, paradt_index position) {
+    paradt_index before = paradt__living_get(d, PARADT__LAST_HIDDEN, position);
+    paradt_index next = paradt__living_get(d, PARADT__NEXT_HIDDEN, position);
+    if (before < 0) paradt__living_set(d, PARADT__HUNG, ~before, next);
+    else paradt__living_set(d, PARADT__NEXT_HIDDEN, before, next);
+    if (next >= 0) paradt__living_set(d, PARADT__LAST_HIDDEN, next, before);
+    paradt__living_set(d, PARADT__LAST_HIDDEN, position, PARADT__NOWHERE);
+    paradt__living_set(d, PARADT__CELL, position, paradt__living_get(d, PARADT__CELL, position)); // for the journal
+    d->now.hidden--;
+    paradt__alike_leave(d, position);
+}
+
+// Does the cell or ghost at a place have a vertex?
+PARADT__INLINE int paradt__mesh_has(const paradt__mesh *mesh, paradt_index place, paradt_index vertex) {
+    const paradt_index *row = mesh->vertices + place * mesh->corners;
+    int i, has = 0;
+    for (i = 0; i < mesh->corners; i++) has |= row[i] == vertex;
+    return has && row[0] != PARADT__DEAD;
+}
+
+// --- changes of the mesh
+
+// Makes room for all that replacing the cells of a hole takes. made: number of new cells
+static paradt_status paradt__living_mesh_room(paradt_dynamic *d, size_t made) {
+    paradt__insertion *build = &d->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    size_t killed = build->update.killed_count, corners = (size_t)mesh->corners;
+    paradt_status status = PARADT_OK;
+    if (mesh->count + made > mesh->capacity)
+        status = paradt__mesh_reserve(mesh, mesh->count + made, mesh->capacity + mesh->capacity / 4 + 64, &d->memory);
+    if (!status) status = paradt__insertion_room(build, made);
+    if (!status) status = paradt__mesh_spare_room(mesh, killed, &d->memory);
+    if (!status) status = paradt__list_room(&build->update.made, 0, &build->update.made_capacity, made + 8, &d->memory);
+    if (!status) status = paradt__list_more(&d->made, made, &d->memory);
+    if (!status) status = paradt__list_more(&d->killed, killed * (1 + 2 * corners), &d->memory);
+    if (!status) status = paradt__list_more(&d->torn, 2 * build->rim_count, &d->memory);
+    if (!status) status = paradt__list_more(&d->killed_numbers, killed, &d->memory);
+    if (!status) status = paradt__list_more(&d->killed_vertices, killed * corners, &d->memory);
+    if (!status && d->weighted && mesh->capacity > d->hung_room) {
+        status = paradt__living_grow_column(d, PARADT__HUNG, d->hung_room, mesh->capacity, PARADT__OPEN);
+        if (!status) d->hung_room = mesh->capacity;
+    }
+    return status;
+}
+
+// Collects the hidden places and the vertices of a cell that is about to die.
+static paradt_status paradt__living_loosen(paradt_dynamic *d, paradt_index place) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index hidden = paradt__living_get(d, PARADT__HUNG, place), i;
+    size_t count = 0;
+    paradt_status status = paradt__list_more(&d->suspects, (size_t)mesh->corners, &d->memory);
+    for (; hidden >= 0 && !status; hidden = paradt__living_get(d, PARADT__NEXT_HIDDEN, hidden), count++)
+        status = paradt__list_append(&d->loose, hidden, &d->memory);
+    if (!status) status = paradt__living_log_room(d, count + 1);
+    if (status) return status;
+    for (i = 0; i < mesh->corners; i++) {
+        paradt_index vertex = mesh->vertices[place * mesh->corners + i];
+        if (vertex >= 0) d->suspects.items[d->suspects.count++] = vertex;
+    }
+    for (; count; count--) { // the journal gets their cells: new cells overwrite these where they become vertices
+        hidden = d->loose.items[d->loose.count - count];
+        paradt__living_set(d, PARADT__CELL, hidden, place);
+    }
+    paradt__living_set(d, PARADT__HUNG, place, PARADT__OPEN);
+    return PARADT_OK;
+}
+
+// Has the cell at a place been made by the change? The marks of a mesh are seldom in a cache, and so not looked at
+// while no cell can have one.
+PARADT__INLINE int paradt__living_is_fresh(const paradt_dynamic *d, paradt_index place) {
+    return d->made.count && d->build.scene.mesh.marks[place] & PARADT__FRESH;
+}
+
+// Is told of a hole, whose cells and rim build->update.killed and build->rim are: makes room for what replaces them,
+// and enters them into the journal. Nothing fails between this and paradt__living_settle.
+static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
+    const paradt__insertion *build = &d->build;
+    paradt__mesh *mesh = &d->build.scene.mesh;
+    const paradt_index *owner = d->column[PARADT__OWNER];
+    paradt_index corners = mesh->corners;
+    size_t i, j, row = (size_t)corners;
+    paradt_status status = paradt__living_mesh_room(d, made);
+    d->loose.count = d->suspects.count = 0;
+    for (i = 0; i < build->update.killed_count && d->weighted && !status; i++)
+        status = paradt__living_loosen(d, paradt__mesh_cell(mesh, build->update.killed[i]));
+    if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
+    if (status) return status;
+    for (i = 0; i < build->update.killed_count; i++) {
+        const paradt_index *vertices = mesh->vertices + paradt__mesh_cell(mesh, build->update.killed[i]) * corners;
+        for (j = 0; j < row; j++) {
+            PARADT__FETCH(owner, vertices[j]);
+            PARADT__FETCH(d->column[PARADT__CELL], vertices[j]);
+        }
+    }
+    for (i = 0; i < build->rim_count; i++) {
+        paradt_index inner = build->rim[i], outer = mesh->links[inner];
+        paradt_index *torn = d->torn.items + d->torn.count;
+        torn[0] = outer;
+        torn[1] = inner;
+        if (!paradt__living_is_fresh(d, inner / corners) && !paradt__living_is_fresh(d, outer / corners))
+            d->torn.count += 2;
+    }
+    for (i = 0; i < build->update.killed_count; i++) {
+        paradt_index place = paradt__mesh_cell(mesh, build->update.killed[i]), *to = d->killed.items + d->killed.count;
+        int finite = paradt__is_finite_cell(mesh->vertices + place * corners, corners);
+        d->now.cells -= (size_t)finite;
+        if (paradt__living_is_fresh(d, place)) {
+            paradt__mesh_unmark(mesh, (size_t)place, PARADT__FRESH);
+            continue;
+        }
+        to[0] = place;
+        memcpy(to + 1, mesh->vertices + place * corners, row * sizeof *to);
+        memcpy(to + 1 + corners, mesh->links + place * corners, row * sizeof *to);
+        d->killed.count += 1 + 2 * row;
+        if (!finite) continue;
+        d->killed_numbers.items[d->killed_numbers.count++] = place;
+        for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = owner[to[j]];
+    }
+    return PARADT_OK;
+}
+
+static paradt_status paradt__living_dug(paradt__witness *witness, paradt__insertion *build) {
+    return paradt__living_prepare((paradt_dynamic *)(void *)witness, build->rim_count);
+}
+
+// Finds out which places are hidden now. gone: a position that is no vertex any more, or PARADT__NOWHERE; start: where
+// walks start
+static void paradt__living_settle_hidden(paradt_dynamic *d, paradt_index gone, paradt_index start) {
+    paradt__scene *scene = &d->build.scene;
+    size_t i;
+    for (i = 0; i < d->suspects.count; i++) {
+        paradt_index vertex = d->suspects.items[i];
+        if (vertex == gone || paradt__living_is_hidden(d, vertex) ||
+            paradt__mesh_has(&scene->mesh, paradt__living_get(d, PARADT__CELL, vertex), vertex))
+            continue;
+        start = paradt__walk(scene, start, paradt__living_record(d, vertex));
+        paradt__living_hang(d, vertex, start);
+        paradt__alike_enter(d, vertex);
+        d->now.vertices--;
+        d->now.hidden++;
+    }
+    for (i = 0; i < d->loose.count; i++) {
+        paradt_index hidden = d->loose.items[i];
+        if (paradt__mesh_has(&scene->mesh, paradt__living_get(d, PARADT__CELL, hidden), hidden)) {
+            paradt__living_set(d, PARADT__LAST_HIDDEN, hidden, PARADT__NOWHERE);
+            paradt__alike_leave(d, hidden);
+            d->now.vertices++;
+            d->now.hidden--;
+        } else {
+            start = paradt__walk(scene, start, paradt__living_record(d, hidden));
+            paradt__living_hang(d, hidden, start);
+        }
+    }
+}
+
+// After a hole has been filled: marks the new cells, and finds out what has become of vertices and hidden places.
+static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
+    const paradt__update *update = &d->build.update;
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index corners = mesh->corners, *cell = d->column[PARADT__CELL], i;
+    size_t at;
+    for (at = 0; at < update->made_count; at++) {
+        paradt_index place = paradt__mesh_cell(mesh, update->made[at]);
+        const paradt_index *row = mesh->vertices + place * corners;
+        if (d->steps) mesh->marks[place] |= PARADT__FRESH;
+        d->made.items[d->made.count++] = place;
+        d->now.cells += (size_t)paradt__is_finite_cell(row, corners);
+        for (i = 0; i < corners; i++) {
+            if (row[i] >= 0) cell[row[i]] = place;
+        }
+    }
+    if (d->weighted) paradt__living_settle_hidden(d, gone, paradt__mesh_cell(mesh, update->made[0]));
+}
+
+#if defined(PARADT_VERIFY)
+// Do columns and mesh fit together?
+static int paradt__living_is_sound(paradt_dynamic *d) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t hidden = 0, vertices = 0, cells = 0, points = 0, i;
+    for (i = 0; i < d->now.positions; i++) {
+        paradt_index cell = d->column[PARADT__CELL][i], owner = d->column[PARADT__OWNER][i];
+        if (owner < 0) continue;
+        if (paradt__living_get(d, PARADT__POSITION, owner) != (paradt_index)i) return 0;
+        if (paradt__living_is_hidden(d, (paradt_index)i)) {
+            hidden++;
+            if (paradt__walk(&d->build.scene, cell, paradt__living_record(d, (paradt_index)i)) != cell) return 0;
+            if (paradt__alike_find(d, paradt__living_record(d, (paradt_index)i)) != (paradt_index)i) return 0;
+        } else {
+            vertices++;
+            if (d->dim > 0 && !paradt__mesh_has(mesh, cell, (paradt_index)i)) return 0;
+        }
+    }
+    for (i = 0; i < d->now.ids; i++) points += paradt__living_get(d, PARADT__POSITION, (paradt_index)i) >= 0;
+    for (i = 0; i < mesh->count; i++)
+        cells += (size_t)paradt__is_finite_cell(mesh->vertices + i * (size_t)mesh->corners, mesh->corners);
+    if (d->dim > 0 && (cells != d->now.cells || !paradt__mesh_verify(mesh, 1, 255))) return 0;
+    return hidden == d->now.hidden && vertices == d->now.vertices && points == d->now.points;
+}
+
+#define PARADT__VERIFY_LIVING(d)                                                                                       \
+    PARADT_ASSERT((d)->now.positions > PARADT__VERIFIED_PLACES || paradt__living_is_sound(d))
+#else
+#define PARADT__VERIFY_LIVING(d) ((void)0)
+#endif
+
+// --- the beginning and the end of a change
+
+// steps: whether the change may be more than one insertion or removal
+static void paradt__living_begin(paradt_dynamic *d, int steps) {
+    d->steps = steps;
+    d->now.places = d->build.scene.mesh.count;
+    d->before = d->now;
+    d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
+    d->killed_numbers.count = d->killed_vertices.count = 0;
+    d->dim_before = d->dim;
+    d->rebuilt = 0;
+    paradt__meter_begin(&d->meter, &d->options);
+}
+
+// Makes the journal what paradt_dynamic_get_update gives.
+static void paradt__living_publish(paradt_dynamic *d) {
+    paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t corners = (size_t)mesh->corners, at, made = 0;
+    for (at = 0; at < d->made.count; at++) {
+        size_t place = (size_t)d->made.items[at];
+        if (d->steps && !(mesh->marks[place] & PARADT__FRESH)) continue;
+        if (d->steps) paradt__mesh_unmark(mesh, place, PARADT__FRESH);
+        if (paradt__is_finite_cell(mesh->vertices + place * corners, mesh->corners))
+            d->made.items[made++] = (paradt_index)place;
+    }
+    d->made.count = made;
+}
+
+// Puts the mesh back to what it was.
+static void paradt__living_undo_mesh(paradt_dynamic *d) {
+    paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t corners = (size_t)mesh->corners, row = corners * sizeof(paradt_index), at, i;
+    for (at = 0; at < d->made.count; at++) mesh->vertices[(size_t)d->made.items[at] * corners] = PARADT__DEAD;
+    for (at = 0; at < d->killed.count; at += 1 + 2 * corners) {
+        const paradt_index *saved = d->killed.items + at;
+        memcpy(mesh->vertices + (size_t)saved[0] * corners, saved + 1, row);
+        memcpy(mesh->links + (size_t)saved[0] * corners, saved + 1 + corners, row);
+        for (i = 0; i < corners; i++) {
+            if (saved[1 + i] >= 0) d->column[PARADT__CELL][saved[1 + i]] = saved[0];
+        }
+    }
+    for (at = d->torn.count; at; at -= 2) mesh->links[d->torn.items[at - 2]] = d->torn.items[at - 1];
+    mesh->count = d->before.places;
+    mesh->spare_count = 0;
+    for (i = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * corners] == PARADT__DEAD) mesh->spare[mesh->spare_count++] = (paradt_index)i;
+        else d->build.scene.hint = (paradt_index)i;
+    }
+    memset(mesh->marks, 0, mesh->capacity);
+    if (d->build.kept) {
+        paradt__kept_forget(&d->build);
+        d->build.kept->start = d->build.scene.hint;
+    }
+}
+
+// Undoes a change, after an error. Takes linear time.
+static void paradt__living_undo(paradt_dynamic *d) {
+    size_t width = d->build.scene.width, at, i;
+    int j;
+    for (at = d->log.count; at; at -= 3) {
+        const paradt_index *entry = d->log.items + at - 3;
+        d->column[entry[0]][entry[1]] = entry[2];
+    }
+    for (at = d->written.count; at; at--) {
+        paradt_index position = d->written.items[at - 1];
+        const double *old = d->old_records + (at - 1) * width;
+        if (position < 0) d->weights[~position] = *old;
+        if (position < 0) continue;
+        memcpy(d->records + (size_t)position * width, old, width * sizeof *old);
+        for (j = 0; j < d->ambient && d->plain; j++)
+            d->plain[position * (paradt_index)d->ambient + d->axes[j]] = old[j];
+    }
+    if (d->dim > 0) paradt__living_undo_mesh(d);
+    d->now = d->before;
+    if (d->column[PARADT__ALIKE]) {
+        for (i = 0; i <= d->alike_mask; i++) d->column[PARADT__ALIKE][i] = PARADT__OPEN;
+        paradt__alike_enter_all(d);
+    }
+    d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
+    d->killed_numbers.count = d->killed_vertices.count = 0;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>changes of a living set
+//
+// Inserting, removing and moving one point, within a change that may be more; and making a set anew.
+//
+// A step that would change the dimension of the points says PARADT__GAVE_UP: then the change is undone, and the set is
+// made anew, by the way of paradt_triangulate. That takes as long as creating the set. The dimension falls where a
+// point is removed off the flat that all others are in. Then all finite cells have this vertex: so only where they do
+// are the others looked at, and these are Q of >>holes of vertices.
+// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_make, paradt__living_start,
+// paradt__living_make_starts.
+
+// --- the space
+
+// Makes the box hold x along an axis: doubles it on that side, or more.
+static void paradt__living_stretch(paradt__space *space, int axis, double x) {
+    double low = paradt__from_ordered_bits(space->low[axis]), high = paradt__from_ordered_bits(space->high[axis]);
+    double side = high - low, to = x < low ? low - side : high + side;
+    if (!paradt__is_finite(to) || (x < low ? x < to : x > to)) to = x;
+    if (x < low) space->low[axis] = paradt__ordered_bits(to);
+    else space->high[axis] = paradt__ordered_bits(to);
+}
+
+// Measures a new point's record. What depends on the measures follows them.
+static void paradt__living_measure(paradt_dynamic *d, const double *record) {
+    paradt__space *space = &d->build.scene.space;
+    paradt__range coordinates = space->coordinates, weights = space->weights;
+    int axis, outside = 0;
+    for (axis = 0; axis < d->ambient; axis++) {
+        int64_t bits = paradt__ordered_bits(record[axis]);
+        paradt__measure(&coordinates, record[axis]);
+        if (PARADT__LIKELY((bits >= space->low[axis]) & (bits <= space->high[axis]))) continue;
+        paradt__living_stretch(space, axis, record[axis]);
+        outside = 1;
+    }
+    if (d->weighted) paradt__measure(&weights, record[d->ambient]);
+    if (PARADT__LIKELY(!outside && !memcmp(&coordinates, &space->coordinates, sizeof coordinates) &&
+                       !memcmp(&weights, &space->weights, sizeof weights)))
+        return;
+    space->coordinates = coordinates;
+    space->weights = weights;
+    paradt__space_end(space);
+    if (!d->build.kept) return;
+    if (space->filtered) {
+        paradt__kept_forget(&d->build);
+        return;
+    }
+    d->build.scene.hint = d->build.kept->start;
+    paradt__kept_free(d->build.kept, &d->memory);
+    d->build.kept = NULL;
+}
+
+// Is a point outside of the flat that the points are in?
+static int paradt__living_leaves_flat(paradt_dynamic *d, const double *record) {
+    paradt__scene *scene = &d->build.scene;
+    size_t cell = (size_t)paradt__insertion_start(&d->build);
+    const double *points[PARADT_MAX_DIM + 1];
+    int axes[PARADT_MAX_DIM], i, behind;
+    paradt__mesh_behind_ghost(&scene->mesh, (size_t)scene->mesh.corners, &cell, &behind);
+    for (i = 0; i <= d->dim; i++)
+        points[i] = paradt__scene_record(scene, scene->mesh.vertices[cell * (size_t)scene->mesh.corners + (size_t)i]);
+    for (i = 0; i < d->dim; i++) axes[i] = i;
+    for (i = d->dim; i < d->ambient; i++) {
+        axes[d->dim] = i;
+        if (paradt__extends(&scene->space.counters, d->dim, points, axes, record)) return 1;
+    }
+    return 0;
+}
+
+// --- vertices of the mesh
+
+// Makes walks begin at a cell.
+static void paradt__living_start_at(paradt_dynamic *d, paradt_index cell) {
+    d->build.scene.hint = cell;
+    if (d->build.kept) d->build.kept->start = cell;
+}
+
+// Returns the vertex of a cell that is at a place, or PARADT__NOWHERE.
+static paradt_index paradt__living_vertex_at(const paradt_dynamic *d, paradt_index cell, const double *record) {
+    const paradt__scene *scene = &d->build.scene;
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, cell);
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++) {
+        if (row[i] >= 0 && !paradt__compare(&scene->space, paradt__scene_record(scene, row[i]), record)) return row[i];
+    }
+    return PARADT__NOWHERE;
+}
+
+// Makes a place a vertex, or hidden. cell: that it is in, or a ghost beyond whose facet it is
+static paradt_status paradt__living_enter(paradt_dynamic *d, paradt_index position, paradt_index cell) {
+    paradt__insertion *build = &d->build;
+    paradt_status status;
+    if (d->weighted) {
+        status = paradt__living_log_room(d, 6);
+        if (status) return status;
+        if (!paradt__conflicts(&build->scene, cell, paradt__living_record(d, position))) {
+            paradt__living_hang(d, position, cell);
+            paradt__alike_enter(d, position);
+            d->now.hidden++;
+            return PARADT_OK;
+        }
+        paradt__living_set(d, PARADT__LAST_HIDDEN, position, PARADT__NOWHERE);
+    }
+    build->count = ++d->now.vertices;
+    status = build->kept ? paradt__insert_one_more(build, position, cell) : paradt__insert_at(build, position, cell);
+    if (status) return status;
+    paradt__living_settle(d, PARADT__NOWHERE);
+    return PARADT_OK;
+}
+
+// Puts the cells of the filling where the hole was.
+static void paradt__living_fill(paradt_dynamic *d) {
+    paradt__insertion *build = &d->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    const paradt__filling *f = &d->filling;
+    paradt_index corners = mesh->corners, i;
+    size_t killed = update->killed_count, at;
+    for (at = 0; at < killed && build->kept; at++)
+        paradt__kept_drop(build->kept, paradt__mesh_cell(mesh, update->killed[at]));
+    for (at = 0; at < f->count; at++)
+        update->made[at] = at < killed ? update->killed[at] : paradt__mesh_take(mesh) * corners;
+    update->made_count = f->count;
+    for (at = f->count; at < killed; at++)
+        paradt__mesh_give(mesh, paradt__mesh_cell(mesh, update->killed[at]), (size_t)corners);
+    for (at = 0; at < f->count; at++) {
+        paradt_index base = update->made[at], from = (paradt_index)at * corners;
+        memcpy(mesh->vertices + base, f->rows.items + from, (size_t)corners * sizeof(paradt_index));
+        for (i = 0; i < corners; i++) {
+            paradt_index link = f->links.items[from + i];
+            if (link < 0) paradt__mesh_tie(mesh, base + i, ~link);
+            else mesh->links[base + i] = update->made[link / corners] + link % corners;
+        }
+    }
+    PARADT__VERIFY_SMALL(mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
+}
+
+// Takes a vertex out of the mesh.
+static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index position) {
+    paradt__insertion *build = &d->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__filling *f = &d->filling;
+    size_t finite = 0, at;
+    int flat = 0;
+    paradt_status status = paradt__filling_star(f, build, position, paradt__living_get(d, PARADT__CELL, position));
+    for (at = 0; at < build->update.killed_count && !status; at++) {
+        paradt_index place = paradt__mesh_cell(mesh, build->update.killed[at]), hidden;
+        finite += (size_t)paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners);
+        hidden = d->weighted ? paradt__living_get(d, PARADT__HUNG, place) : PARADT__OPEN;
+        for (; hidden >= 0 && !status; hidden = paradt__living_get(d, PARADT__NEXT_HIDDEN, hidden))
+            status = paradt__list_append(&f->points, hidden, &d->memory);
+    }
+    for (at = 0; at < f->points.count && !status; at++) { // wanted when all is decided
+        PARADT__FETCH(d->column[PARADT__OWNER], f->points.items[at]);
+        PARADT__FETCH(d->column[PARADT__CELL], f->points.items[at]);
+    }
+    if (!status && finite == d->now.cells) status = paradt__filling_is_flat(f, build, position, &flat);
+    if (!status && flat) status = PARADT__GAVE_UP;
+    if (!status) status = paradt__filling_make(f, build, position);
+    if (!status) status = paradt__living_prepare(d, f->count);
+    if (status) return status;
+    paradt__living_fill(d);
+    paradt__starts_replace(&d->starts, paradt__living_record(d, position), position, f->points.items[0]);
+    d->now.vertices--;
+    paradt__living_settle(d, position);
+    paradt__living_start_at(d, paradt__mesh_cell(mesh, build->update.made[0]));
+    return PARADT_OK;
+}
+
+// Takes a place out: it is no vertex then, nor hidden. What it is needs room in the log.
+static paradt_status paradt__living_withdraw(paradt_dynamic *d, paradt_index position) {
+    paradt_status status;
+    if (!paradt__living_is_hidden(d, position)) return paradt__living_dissolve(d, position);
+    status = paradt__living_log_room(d, 5);
+    if (status) return status;
+    paradt__living_start_at(d, paradt__living_get(d, PARADT__CELL, position));
+    paradt__living_unhang(d, position);
+    return PARADT_OK;
+}
+
+// Gives a place another weight.
+static paradt_status paradt__living_reweigh(paradt_dynamic *d, paradt_index position, double weight) {
+    double record[PARADT_MAX_DIM + 2];
+    paradt__scene *scene = &d->build.scene;
+    paradt_status status;
+    memcpy(record, paradt__living_record(d, position), scene->width * sizeof *record);
+    record[d->ambient] = weight;
+    status = d->dim > 0 ? paradt__living_withdraw(d, position) : PARADT_OK;
+    if (!status) status = paradt__living_write_room(d);
+    if (status) return status;
+    paradt__living_write(d, position, record);
+    if (d->dim == 0) return PARADT_OK;
+    paradt__living_measure(d, record);
+    return paradt__living_enter(d, position, paradt__walk(scene, paradt__insertion_start(&d->build), record));
+}
+
+// --- points
+
+// Makes a point, that is nowhere yet, one of those at a place.
+static paradt_status paradt__living_join(paradt_dynamic *d, paradt_index id, paradt_index position) {
+    paradt_index root = paradt__living_get(d, PARADT__OWNER, position);
+    paradt_status status = paradt__living_heap_room(d);
+    if (!status) status = paradt__living_log_room(d, PARADT__HEAP_CHANGES + 2);
+    if (status) return status;
+    paradt__living_set(d, PARADT__POSITION, id, position);
+    root = paradt__heap_join(d, root, id);
+    paradt__living_set(d, PARADT__OWNER, position, root);
+    if (root != id || !d->weighted) return PARADT_OK;
+    if (paradt__bits(d->weights[id]) == paradt__bits(paradt__living_record(d, position)[d->ambient])) return PARADT_OK;
+    return paradt__living_reweigh(d, position, d->weights[id]);
+}
+
+// Makes the starts when they are first needed, and anew when there are many more vertices. Without memory there are
+// none.
+static void paradt__living_make_starts(paradt_dynamic *d) {
+    enum { FEW = 64, TIMES = 4 };
+    paradt__start_points points;
+    if (d->dim < 1 || d->now.vertices < FEW || (d->starts_for && d->now.vertices < TIMES * d->starts_for)) return;
+    paradt__starts_free(&d->starts, &d->memory);
+    points.records = d->records;
+    points.width = d->build.scene.width;
+    points.count = d->now.positions;
+    points.order = NULL;
+    d->starts_for = d->now.vertices;
+    if (paradt__starts_make(&d->starts, &points, d->ambient, &d->memory, NULL))
+        paradt__starts_free(&d->starts, &d->memory);
+}
+
+// Returns a cell near a place, to start a walk from. hint: an id, or negative
+static paradt_index paradt__living_start(const paradt_dynamic *d, const double *record, paradt_index hint) {
+    const paradt_index *owner = d->column[PARADT__OWNER];
+    paradt_index position = -1;
+    size_t bucket;
+    if (hint >= 0 && (size_t)hint < d->now.ids) position = paradt__living_get(d, PARADT__POSITION, hint);
+    if (position < 0) position = paradt__starts_at(&d->starts, record, &bucket);
+    if (position < 0 || (size_t)position >= d->now.positions || owner[position] < 0)
+        return paradt__insertion_start(&d->build);
+    position = paradt__living_get(d, PARADT__CELL, position);
+    paradt__fetch_row(d->build.scene.mesh.vertices, d->build.scene.mesh.links, (size_t)position,
+                      (size_t)d->build.scene.mesh.corners);
+    return position;
+}
+
+// Finds a cell in conflict with a place that is no vertex, by a walk like that of paradt__walk, which ends at the first
+// cell whose sphere has the place inside for certain; or the cell that it is in, for the place may be a vertex. *fresh:
+// it is certain that it is none. In space, while spheres are kept
+static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, const double *record, int *fresh) {
+    paradt__insertion *build = &d->build;
+    paradt__scene *scene = &build->scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt__centred centred = paradt__centred_of(build->kept, record);
+    int i, from = -1;
+    for (*fresh = 1;;) {
+        const paradt_index *row = mesh->vertices + 4 * (size_t)cell, *links = mesh->links + 4 * (size_t)cell;
+        int ghost;
+        for (i = 0; i < 4; i++) PARADT__FETCH(scene->records, (row[i] < 0 ? 0 : (size_t)row[i]) * scene->width);
+        for (i = 0; i < 4; i++) paradt__fetch_row(mesh->vertices, mesh->links, (size_t)links[i] >> 2, 4);
+        ghost = paradt__ghost_place(row, 4);
+        if (ghost >= 0) {
+            if (paradt__side(scene, cell, ghost, record) > 0) return cell;
+            i = ghost;
+        } else {
+            const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+            if (paradt__sphere_power(sphere, &centred) < -sphere->error) return cell;
+            for (i = 0; i < 4; i++)
+                if (i != from && paradt__side(scene, cell, i, record) < 0) break;
+            *fresh = i < 4;
+            if (i == 4) return cell;
+        }
+        from = (int)(links[i] & 3);
+        cell = links[i] >> 2;
+    }
+}
+
+// Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; near: a cell nearby,
+// or negative
+static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record, paradt_index hint,
+                                           paradt_index near) {
+    paradt__scene *scene = &d->build.scene;
+    paradt_index cell, position;
+    paradt_status status;
+    int fresh = 0;
+    if (d->dim < 0) return PARADT__GAVE_UP;
+    if (d->dim == 0) { // there is one place, the first
+        if (memcmp(record, d->records, (size_t)d->ambient * sizeof *record) != 0) return PARADT__GAVE_UP;
+        return paradt__living_join(d, id, 0);
+    }
+    paradt__living_measure(d, record);
+    if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
+    cell = near < 0 ? paradt__living_start(d, record, hint) : near;
+    if (PARADT_MAX_DIM >= 3 && d->build.kept) cell = paradt__living_reach(d, cell, record, &fresh);
+    else cell = paradt__walk(scene, cell, record);
+    paradt__living_start_at(d, cell);
+    position = fresh ? PARADT__NOWHERE : paradt__living_vertex_at(d, cell, record);
+    if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
+    if (position != PARADT__NOWHERE) return paradt__living_join(d, id, position);
+    status = paradt__living_position_room(d, d->now.positions + 1);
+    if (!status) status = paradt__living_write_room(d);
+    if (!status) status = paradt__living_log_room(d, 4);
+    if (!status) status = paradt__alike_room(d);
+    if (status) return status;
+    position = paradt__living_take_position(d);
+    paradt__living_set(d, PARADT__POSITION, id, position);
+    paradt__living_set(d, PARADT__OWNER, position, id);
+    paradt__living_write(d, position, record);
+    paradt__starts_put(&d->starts, record, position);
+    return paradt__living_enter(d, position, cell);
+}
+
+// Takes a point away; its id remains.
+static paradt_status paradt__living_remove(paradt_dynamic *d, paradt_index id) {
+    paradt_index position = paradt__living_get(d, PARADT__POSITION, id);
+    paradt_index root = paradt__living_get(d, PARADT__OWNER, position);
+    int alone =
+        !d->column[PARADT__CHILD] || (root == id && paradt__living_get(d, PARADT__CHILD, id) == PARADT__NOWHERE);
+    paradt_status status;
+    if (alone) {
+        if (d->dim <= 0) return PARADT__GAVE_UP;
+        status = paradt__living_withdraw(d, position);
+        if (!status) status = paradt__living_log_room(d, 1);
+        if (!status) paradt__living_give_position(d, position);
+        return status;
+    }
+    status = paradt__heap_leave_room(d, id);
+    if (status) return status;
+    root = paradt__heap_leave(d, root, id);
+    status = paradt__living_log_room(d, 1);
+    if (status) return status;
+    paradt__living_set(d, PARADT__OWNER, position, root);
+    if (!d->weighted || paradt__bits(d->weights[root]) == paradt__bits(paradt__living_record(d, position)[d->ambient]))
+        return PARADT_OK;
+    return paradt__living_reweigh(d, position, d->weights[root]);
+}
+
+// Notes a point's weight.
+static paradt_status paradt__living_note_weight(paradt_dynamic *d, paradt_index id, double weight) {
+    paradt_status status = d->weighted ? paradt__living_write_room(d) : PARADT_OK;
+    if (status || !d->weighted) return status;
+    d->old_records[d->written.count * d->build.scene.width] = d->weights[id];
+    d->written.items[d->written.count++] = ~id;
+    d->weights[id] = weight;
+    return PARADT_OK;
+}
+
+// Do the cells around a vertex stay what they are when the vertex is elsewhere? They do if each remains positively
+// oriented, for then they cover the same part of space, and if each facet of them remains locally regular: that proves
+// that they are of T(P). Vertices of the hull are not looked at. The cells are build->update.killed.
+static int paradt__living_stays(paradt_dynamic *d, const double *record) {
+    paradt__insertion *build = &d->build;
+    paradt__scene *scene = &build->scene;
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt_index corners = mesh->corners, i;
+    const double *p[PARADT_MAX_DIM + 2];
+    size_t at;
+    for (at = 0; at < build->rim_count; at++) {
+        paradt_index base = build->update.killed[at];
+        if (!paradt__is_finite_cell(mesh->vertices + base, corners)) return 0;
+    }
+    for (at = 0; at < build->rim_count; at++) {
+        paradt_index base = build->update.killed[at];
+        for (i = 0; i < corners; i++)
+            p[i] = base + i == build->rim[at] ? record : paradt__scene_record(scene, mesh->vertices[base + i]);
+        if (paradt__orient(&scene->space, p) <= 0) return 0;
+        for (i = 0; i < corners; i++) {
+            paradt_index mirror = mesh->links[base + i], apex = mesh->vertices[mirror];
+            if (apex < 0 || (base + i != build->rim[at] && mirror < base)) continue;
+            p[corners] = paradt__scene_record(scene, apex);
+            if (paradt__conflict(&scene->space, p)) return 0;
+        }
+    }
+    return 1;
+}
+
+// Is a move so short, in comparison with an edge, that the cells have a chance to stay? Where it is a 25th of the edge,
+// some four in ten vertices of uniform points in space keep their cells; then to try pays.
+static int paradt__living_may_stay(const paradt_dynamic *d, paradt_index position, const double *record) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    const paradt_index *row = paradt__mesh_row(mesh, paradt__living_get(d, PARADT__CELL, position));
+    const double *from = paradt__living_record(d, position), *other;
+    double moved = 0.0, edge = 0.0;
+    int i = 0, axis;
+    while (row[i] == position || row[i] < 0) i++;
+    other = paradt__living_record(d, row[i]);
+    for (axis = 0; axis < d->ambient; axis++) {
+        moved += (record[axis] - from[axis]) * (record[axis] - from[axis]);
+        edge += (other[axis] - from[axis]) * (other[axis] - from[axis]);
+    }
+    return moved * 625.0 < edge;
+}
+
+// Moves a point without any change of cells, if that is possible: *done says so.
+static paradt_status paradt__living_slide(paradt_dynamic *d, paradt_index id, const double *record, int *done) {
+    paradt__insertion *build = &d->build;
+    paradt_index position = paradt__living_get(d, PARADT__POSITION, id);
+    paradt_status status;
+    size_t at;
+    *done = 0;
+    if (d->weighted || d->dim < d->ambient) return PARADT_OK;
+    if (d->column[PARADT__CHILD] && (paradt__living_get(d, PARADT__OWNER, position) != id ||
+                                     paradt__living_get(d, PARADT__CHILD, id) != PARADT__NOWHERE))
+        return PARADT_OK;
+    if (!paradt__living_may_stay(d, position, record)) return PARADT_OK;
+    paradt__living_measure(d, record);
+    status = paradt__living_write_room(d);
+    if (!status) status = paradt__filling_cells(build, position, paradt__living_get(d, PARADT__CELL, position));
+    if (status || !paradt__living_stays(d, record)) return status;
+    for (at = 0; at < build->update.killed_count && build->kept; at++)
+        paradt__kept_drop(build->kept, paradt__mesh_cell(&build->scene.mesh, build->update.killed[at]));
+    paradt__living_write(d, position, record);
+    *done = 1;
+    return PARADT_OK;
+}
+
+// Moves a point, and gives it the record's weight.
+static paradt_status paradt__living_move(paradt_dynamic *d, paradt_index id, const double *record) {
+    const double *before = paradt__living_record(d, paradt__living_get(d, PARADT__POSITION, id));
+    int done = 0, stays = !memcmp(before, record, (size_t)d->ambient * sizeof *record);
+    paradt_status status = PARADT_OK;
+    if (stays && (!d->weighted || paradt__bits(record[d->ambient]) == paradt__bits(d->weights[id]))) return PARADT_OK;
+    if (!stays) status = paradt__living_slide(d, id, record, &done);
+    if (status || done) return status;
+    status = paradt__living_remove(d, id);
+    if (!status && d->weighted) status = paradt__living_note_weight(d, id, record[d->ambient]);
+    return status ? status
+                  : paradt__living_insert(d, id, record, -1, d->dim > 0 ? paradt__insertion_start(&d->build) : -1);
+}
+
+// --- a set anew
+
+// Gives a mesh without ghosts its ghosts.
+static paradt_status paradt__living_ghosts(paradt__mesh *mesh, size_t hull, paradt__memory *memory) {
+    const int corners = mesh->corners;
+    paradt_index end = (paradt_index)mesh->count * corners, handle, base;
+    int i;
+    paradt__facets ridges;
+    paradt_status status = paradt__facets_begin(&ridges, 0, 1, memory);
+    if (!status && mesh->count + hull > mesh->capacity)
+        status = paradt__mesh_reserve(mesh, mesh->count + hull, mesh->count + hull, memory);
+    for (handle = 0; handle < end && !status; handle++) {
+        paradt_index first = handle - handle % corners;
+        int place = (int)(handle % corners), infinite = place < 2 ? 1 - place : place;
+        if (mesh->links[handle] >= 0) continue;
+        base = (paradt_index)mesh->count++ * corners;
+        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
+            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
+                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
+        paradt__mesh_tie(mesh, handle, base + infinite);
+        status = paradt__facets_room(&ridges, (size_t)corners, memory);
+        for (i = 0; i < corners && !status; i++) {
+            if (i == infinite) continue;
+            mesh->links[base + i] = PARADT__OPEN;
+            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
+        }
+    }
+    PARADT_ASSERT(status || !ridges.count);
+    mesh->paged = mesh->count;
+    paradt__facets_free(&ridges, memory);
+    return status;
+}
+
+// Passes over the mesh, which is without gaps or has free places: finds a cell of each vertex, counts cells and
+// vertices, and the facets of the hull that have no ghost.
+static size_t paradt__living_survey(paradt_dynamic *d) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index *cell = d->column[PARADT__CELL];
+    size_t corners = (size_t)mesh->corners, hull = 0, i, j;
+    d->now.cells = d->now.vertices = 0;
+    for (i = 0; i < mesh->count; i++) {
+        const paradt_index *row = mesh->vertices + i * corners, *links = mesh->links + i * corners;
+        if (row[0] == PARADT__DEAD) continue;
+        d->now.cells += (size_t)paradt__is_finite_cell(row, mesh->corners);
+        d->build.scene.hint = (paradt_index)i;
+        for (j = 0; j < corners; j++) {
+            hull += links[j] < 0;
+            if (row[j] >= 0) cell[row[j]] = (paradt_index)i;
+        }
+    }
+    return hull;
+}
+
+// Takes over the points that were loaded. ids: of the points, ascending; NULL: their indices
+static paradt_status paradt__living_adopt(paradt_dynamic *d, paradt__work *work, const paradt_points *points,
+                                          const paradt_index *ids, size_t id_count) {
+    paradt__set *set = &work->set;
+    paradt__source source = paradt__source_of(points);
+    size_t count = points->count, i, width = (size_t)d->ambient + (size_t)d->weighted;
+    double record[PARADT_MAX_DIM + 1];
+    paradt_status status = PARADT_OK;
+    int j, scaled = set->exponent < 1023 - 32 || set->exponent > 1023 + 32;
+    d->dim = set->space.dim;
+    d->straight = 1;
+    for (j = 0; j < d->ambient; j++) {
+        d->axes[j] = set->axes[j];
+        d->straight &= set->axes[j] == j;
+    }
+    d->build.scene.width = width;
+    d->now.positions = set->count;
+    d->now.points = count;
+    d->position_room = set->capacity;
+    d->column[PARADT__OWNER] = set->origin;
+    d->records = set->records;
+    set->origin = NULL;
+    set->records = NULL;
+    for (i = 0; i < set->count && (set->width > width || scaled); i++) { // as the caller has them
+        memmove(d->records + i * width, d->records + i * set->width, width * sizeof *record);
+        if (!scaled) continue;
+        paradt__read_record(&source, (size_t)d->column[PARADT__OWNER][i], record);
+        for (j = 0; j < d->ambient; j++) d->records[i * width + (size_t)j] = record[d->axes[j]];
+        if (d->weighted) d->records[i * width + (size_t)d->ambient] = record[d->ambient];
+    }
+    d->build.scene.records = d->records;
+    d->build.scene.space = set->space;
+    if (scaled) {
+        set->records = d->records;
+        set->width = width;
+        paradt__set_measure(set, &paradt__alone, d->dim);
+        d->build.scene.space = set->space;
+        set->records = NULL;
+    }
+    for (j = PARADT__CELL; j < PARADT__POSITION_COLUMNS && !status; j++) {
+        if (paradt__living_has(d, j)) status = paradt__living_grow_column(d, j, 0, d->position_room, PARADT__NOWHERE);
+    }
+    if (!status) status = paradt__living_id_room(d, id_count);
+    if (!status && !d->straight) {
+        d->plain = (double *)paradt__alloc(&d->memory, d->position_room, (size_t)d->ambient * sizeof(double));
+        if (!d->plain) status = PARADT_ERROR_MEMORY;
+    }
+    if (status) return status;
+    for (i = 0; i < set->count && d->plain; i++) {
+        for (j = 0; j < d->ambient; j++)
+            d->plain[i * (size_t)d->ambient + (size_t)d->axes[j]] = d->records[i * width + (size_t)j];
+    }
+    for (i = 0; i < count && d->weighted; i++) d->weights[ids ? (size_t)ids[i] : i] = paradt__weight(&source, i);
+    (void)id_count;
+    return PARADT_OK;
+}
+
+// Gives points their positions, duplicates their heaps, and other ids below id_count to the list of free ones.
+static paradt_status paradt__living_number(paradt_dynamic *d, const paradt_index *representative, size_t count,
+                                           const paradt_index *ids, size_t id_count) {
+    paradt_index *position = d->column[PARADT__POSITION], *owner = d->column[PARADT__OWNER];
+    size_t i;
+    paradt_status status = PARADT_OK;
+    d->now.ids = id_count;
+    d->now.free_id = d->now.free_position = PARADT__NOWHERE;
+    for (i = 0; i < id_count; i++) position[i] = PARADT__NOWHERE;
+    for (i = 0; i < d->now.positions; i++) {
+        if (ids) owner[i] = ids[owner[i]];
+        position[owner[i]] = (paradt_index)i;
+    }
+    for (i = 0; i < count && !status; i++) {
+        paradt_index id = ids ? ids[i] : (paradt_index)i, other = representative[i];
+        if ((size_t)other == i) continue;
+        other = ids ? ids[other] : other;
+        status = paradt__living_join(d, id, position[other]);
+        d->log.count = 0;
+    }
+    for (i = id_count; i > 0 && !status; i--) {
+        if (position[i - 1] != PARADT__NOWHERE) continue;
+        position[i - 1] = ~d->now.free_id;
+        d->now.free_id = (paradt_index)(i - 1);
+    }
+    return status;
+}
+
+// Finds the places that are no vertices, and hangs them on cells.
+static paradt_status paradt__living_find_hidden(paradt_dynamic *d) {
+    paradt__scene *scene = &d->build.scene;
+    size_t i;
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < d->now.positions; i++) d->now.hidden += d->column[PARADT__CELL][i] == PARADT__NOWHERE;
+    d->now.vertices = d->now.positions - d->now.hidden;
+    if (!d->weighted) return PARADT_OK;
+    status = paradt__living_grow_column(d, PARADT__HUNG, 0, scene->mesh.capacity, PARADT__OPEN);
+    if (status) return status;
+    d->hung_room = scene->mesh.capacity;
+    status = paradt__alike_room(d);
+    if (!status) status = paradt__living_log_room(d, 8);
+    for (i = 0; i < d->now.positions && !status; i++) {
+        if (d->column[PARADT__CELL][i] != PARADT__NOWHERE) continue;
+        scene->hint = paradt__walk(scene, scene->hint, paradt__living_record(d, (paradt_index)i));
+        paradt__living_hang(d, (paradt_index)i, scene->hint);
+        paradt__alike_enter(d, (paradt_index)i);
+        d->log.count = 0;
+        if (i % 1024 == 0 && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+    }
+    return status;
+}
+
+// Makes what a set keeps besides the mesh, which has been built.
+static paradt_status paradt__living_complete(paradt_dynamic *d) {
+    enum { KEPT_FOR = 512 }; // points: a small table of spheres, as most of them are wanted once
+    paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t hull;
+    paradt_status status = PARADT_OK;
+    d->build.memory = &d->memory;
+    d->build.witness = &d->witness;
+    d->witness.dug = paradt__living_dug;
+    if (d->dim <= 0) {
+        d->now.vertices = d->now.cells = d->now.positions;
+        if (d->now.positions) d->column[PARADT__CELL][0] = 0;
+        paradt__mesh_free(mesh, &d->memory);
+        return PARADT_OK;
+    }
+    hull = paradt__living_survey(d);
+    if (hull) status = paradt__living_ghosts(mesh, hull, &d->memory);
+    if (!status && !mesh->marked) {
+        mesh->marks = (unsigned char *)paradt__alloc(&d->memory, mesh->capacity, 1);
+        if (!mesh->marks) return PARADT_ERROR_MEMORY;
+        memset(mesh->marks, 0, mesh->capacity);
+        mesh->marked = 1;
+    }
+    if (!status) status = paradt__living_find_hidden(d);
+    d->build.count = d->now.vertices;
+    if (!status)
+        status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
+                                   &d->memory);
+    d->build.count = d->now.vertices < KEPT_FOR ? d->now.vertices : (size_t)KEPT_FOR;
+    if (!status && PARADT__IS(d->dim, 3)) status = paradt__kept_begin(&d->build);
+    if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
+    if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers &&
+        !paradt__kept_more_numbers(&d->build, d->now.positions + 1))
+        status = PARADT_ERROR_MEMORY;
+    d->build.count = d->now.vertices;
+    return status;
+}
+
+// Gives the vertices of a mesh that was delivered their positions again.
+static paradt_status paradt__living_take_back(paradt__work *work, paradt__memory *memory) {
+    paradt__mesh *mesh = &work->mesh;
+    size_t corners = (size_t)mesh->corners, i, indices = work->stats->duplicates + work->set.count;
+    paradt_index *position = (paradt_index *)paradt__alloc(memory, indices, sizeof *position);
+    if (!position) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < work->set.count; i++) position[work->set.origin[i]] = (paradt_index)i;
+    for (i = 0; i < mesh->count * corners; i++) mesh->vertices[i] = position[mesh->vertices[i]];
+    paradt__release(memory, position);
+    return PARADT_OK;
+}
+
+// Makes a set, which is empty but for its options, account, meter and what its points are like. ids: of the points,
+// ascending; NULL: their indices. id_count: all ids are below it. After an error the caller frees the set.
+static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points *points, const paradt_index *ids,
+                                         size_t id_count) {
+    paradt__work work;
+    paradt_stats stats;
+    paradt_triangulation out;
+    paradt_options options = d->options;
+    paradt_status status;
+    memset(&out, 0, sizeof out);
+    options.method = PARADT_AUTO;
+    options.flags = PARADT_FACETS;
+    paradt__begin_call(&work, &stats, &out, points, &options);
+    work.memory = d->memory;
+    status = paradt__load(&work, points, &out);
+    d->error_point = out.error_point;
+    if (!status) status = paradt__build_mesh(&work);
+#ifndef PARADT_NO_REGIONS
+    if (!status && work.fields) paradt__close_set(&work);
+#endif
+    paradt__release_helpers(&work);
+    if (!status && work.delivered) status = paradt__living_take_back(&work, &work.memory);
+    paradt__release(&work.memory, work.cuts.cut);
+    d->memory = work.memory;
+    d->build.scene.mesh = work.mesh;
+    if (!status) status = paradt__living_adopt(d, &work, points, ids, id_count);
+    if (!status) status = paradt__living_number(d, out.representative, points->count, ids, id_count);
+    if (!status) status = paradt__living_complete(d);
+    paradt__set_free(&work.set, &d->memory);
+    paradt__release(&d->memory, out.representative);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>living set
+//
+// Points that come, go and move: the public functions. Every change, of one point or of many, is checked, done point by
+// point along the curve, and then published, or undone after an error. A change of many points, compared with those
+// that are there, and one that changes the dimension, makes the set anew instead: beside the old one, which is replaced
+// in the end, or kept after an error.
+// Doors: the public functions.
+
+typedef enum paradt__change_kind { PARADT__INSERTION, PARADT__REMOVAL, PARADT__MOTION } paradt__change_kind;
+
+typedef struct paradt__change {
+    paradt__change_kind kind;
+    const paradt_points *points; // NULL for a removal
+    const paradt_index *ids;     // [count] those that are removed or moved
+    paradt_index *new_ids;       // [count] of inserted points; NULL: not wanted
+    size_t count;
+    paradt_index hint;
+    paradt_index *number; // [count] the ids of all points of the change
+    double *records;      // [count][width] NULL for a removal
+    paradt__keyed *order; // [count] along the curve
+} paradt__change;
+
+PARADT_DEF void paradt_dynamic_free(paradt_dynamic *d) {
+    paradt__memory memory;
+    if (!d) return;
+    paradt__living_free(d);
+    memory = d->memory;
+    paradt__release(&memory, d);
+}
+
+// Makes an empty set that has the options and the account, which goes over to it.
+static paradt_dynamic *paradt__living_new(const paradt_options *options, const paradt__memory *account, int ambient,
+                                          int weighted) {
+    paradt__memory memory = *account;
+    paradt_dynamic *d = (paradt_dynamic *)paradt__alloc(&memory, 1, sizeof *d);
+    if (!d) return NULL;
+    memset(d, 0, sizeof *d);
+    d->options = *options;
+    d->memory = memory;
+    d->ambient = ambient;
+    d->weighted = weighted;
+    d->dim = -1;
+    d->build.memory = &d->memory;
+    paradt__meter_begin(&d->meter, options);
+    return d;
+}
+
+// Returns what is wrong with the options for a living set, or NULL.
+static const char *paradt__living_fault(const paradt_options *options) {
+    if (options->flags) return "options.flags is not 0";
+    if (options->method != PARADT_AUTO) return "options.method is not PARADT_AUTO";
+    return NULL;
+}
+
+PARADT_DEF paradt_status paradt_dynamic_create(paradt_dynamic **out, const paradt_points *points,
+                                               const paradt_options *options) {
+    paradt_options given;
+    paradt__memory memory;
+    const char *text;
+    paradt_status status;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    *out = NULL;
+    memset(&given, 0, sizeof given);
+    if (options) given = *options;
+    status = paradt__check_arguments(points, &given, &text);
+    if (!status && paradt__living_fault(&given)) status = PARADT_ERROR_ARGUMENT;
+    if (status) return status;
+    paradt__memory_begin(&memory, &given);
+    *out = paradt__living_new(&given, &memory, points->dim, points->weights != NULL);
+    if (!*out) return PARADT_ERROR_MEMORY;
+    status = paradt__living_make(*out, points, NULL, points->count);
+    if (!status) return PARADT_OK;
+    paradt_dynamic_free(*out);
+    *out = NULL;
+    return status;
+}
+
+// --- the set anew
+
+// What the points of a set are after a change
+typedef struct paradt__census {
+    size_t count, ids; // points; all ids are below `ids`
+    double *x;         // [count][ambient]
+    double *weights;   // [count] NULL: none
+    paradt_index *id;  // [count] ascending
+} paradt__census;
+
+// Copies a record, whose coordinates are along `axes`, to the end of a census.
+static void paradt__census_add(paradt__census *c, const paradt_dynamic *d, paradt_index id, const double *record,
+                               double weight) {
+    int j;
+    for (j = 0; j < d->ambient; j++) c->x[c->count * (size_t)d->ambient + (size_t)d->axes[j]] = record[j];
+    if (c->weights) c->weights[c->count] = weight;
+    c->id[c->count++] = id;
+}
+
+// Takes the census. of: [ids] the number of each point in the change, or PARADT__NOWHERE
+static void paradt__census_take(paradt__census *c, const paradt_dynamic *d, const paradt__change *change,
+                                const paradt_index *of) {
+    size_t width = (size_t)d->ambient + (size_t)d->weighted, i;
+    for (i = 0; i < c->ids; i++) {
+        paradt_index at = of[i], position = i < d->now.ids ? d->column[PARADT__POSITION][i] : -1;
+        if (at != PARADT__NOWHERE && change->kind == PARADT__REMOVAL) continue;
+        if (at != PARADT__NOWHERE) {
+            const double *record = change->records + (size_t)at * width;
+            paradt__census_add(c, d, (paradt_index)i, record, d->weighted ? record[d->ambient] : 0.0);
+        } else if (position >= 0) {
+            paradt__census_add(c, d, (paradt_index)i, paradt__living_record(d, position),
+                               d->weighted ? d->weights[i] : 0.0);
+        }
+    }
+}
+
+// Makes the set anew from a census, and replaces the old one. silent: the call can't be cancelled
+static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__census *c, int silent) {
+    paradt_points points = paradt__packed_points(c->count, d->ambient, PARADT_F64);
+    paradt_options options = d->options;
+    paradt_dynamic *fresh, old;
+    paradt_status status;
+    paradt__memory account;
+    if (silent) options.progress = NULL;
+    fresh = paradt__living_new(&options, &d->memory, d->ambient, d->weighted);
+    if (!fresh) return PARADT_ERROR_MEMORY;
+    points.data = c->x;
+    points.weights = d->weighted ? c->weights : NULL;
+    status = paradt__living_make(fresh, &points, c->id, c->ids);
+    if (status) {
+        paradt__living_free(fresh);
+        account = fresh->memory;
+        paradt__release(&account, fresh);
+        d->memory = account;
+        return status;
+    }
+    old = *d;
+    old.memory = fresh->memory;
+    old.build.memory = &old.memory;
+    fresh->options = d->options;
+    *d = *fresh;
+    paradt__living_free(&old);
+    d->memory = old.memory;
+    d->build.memory = &d->memory;
+    d->build.witness = &d->witness;
+    d->dim_before = old.dim;
+    d->rebuilt = 1;
+    paradt__release(&d->memory, fresh);
+    return PARADT_OK;
+}
+
+// Makes the set anew, with a change.
+static paradt_status paradt__living_rebuild(paradt_dynamic *d, const paradt__change *change) {
+    paradt__census c;
+    size_t most = d->now.points + change->count, i;
+    paradt_index *of = NULL;
+    paradt_status status = PARADT_ERROR_MEMORY;
+    memset(&c, 0, sizeof c);
+    c.ids = d->now.ids;
+    for (i = 0; i < change->count; i++) {
+        if ((size_t)change->number[i] >= c.ids) c.ids = (size_t)change->number[i] + 1;
+    }
+    of = (paradt_index *)paradt__alloc(&d->memory, c.ids, sizeof *of);
+    c.x = (double *)paradt__alloc(&d->memory, most, (size_t)d->ambient * sizeof(double));
+    if (d->weighted) c.weights = (double *)paradt__alloc(&d->memory, most, sizeof(double));
+    c.id = (paradt_index *)paradt__alloc(&d->memory, most, sizeof *c.id);
+    if (of && c.x && c.id && (c.weights || !d->weighted)) {
+        for (i = 0; i < c.ids; i++) of[i] = PARADT__NOWHERE;
+        for (i = 0; i < change->count; i++) of[change->number[i]] = (paradt_index)i;
+        paradt__census_take(&c, d, change, of);
+        status = paradt__living_replace(d, &c, change->count == 1);
+    }
+    paradt__release(&d->memory, of);
+    paradt__release(&d->memory, c.x);
+    paradt__release(&d->memory, c.weights);
+    paradt__release(&d->memory, c.id);
+    return status;
+}
+
+// --- changes
+
+static paradt_status paradt__change_fault(paradt_dynamic *d, const char *text) {
+    d->error_text = text;
+    return PARADT_ERROR_ARGUMENT;
+}
+
+// Checks the ids of a change: all are in use, and none is named twice.
+static paradt_status paradt__change_check_ids(paradt_dynamic *d, const paradt__change *change) {
+    uint64_t *named;
+    size_t i, words = d->now.ids / 64 + 1;
+    int twice = 0;
+    if (change->count && !change->ids) return paradt__change_fault(d, "ids is NULL");
+    for (i = 0; i < change->count; i++) {
+        paradt_index id = change->ids[i];
+        if (id < 0 || (size_t)id >= d->now.ids || paradt__living_get(d, PARADT__POSITION, id) < 0)
+            return paradt__change_fault(d, "an id is out of range or free");
+    }
+    if (change->count < 2) return PARADT_OK;
+    named = (uint64_t *)paradt__alloc(&d->memory, words, sizeof *named);
+    if (!named) return PARADT_ERROR_MEMORY;
+    memset(named, 0, words * sizeof *named);
+    for (i = 0; i < change->count; i++) {
+        uint64_t bit = (uint64_t)1 << change->ids[i] % 64;
+        twice |= (named[change->ids[i] / 64] & bit) != 0;
+        named[change->ids[i] / 64] |= bit;
+    }
+    paradt__release(&d->memory, named);
+    return twice ? paradt__change_fault(d, "an id is named twice") : PARADT_OK;
+}
+
+// Checks the points of a change and makes their records.
+static paradt_status paradt__change_read(paradt_dynamic *d, paradt__change *change) {
+    size_t width = (size_t)d->ambient + (size_t)d->weighted, i;
+    paradt__source source;
+    double record[PARADT_MAX_DIM + 1];
+    paradt_status status = paradt__check_arguments(change->points, NULL, &d->error_text);
+    int j;
+    if (status) return status;
+    if (change->points->dim != d->ambient) return paradt__change_fault(d, "points.dim is not that of the set");
+    if (change->points->weights && !d->weighted) {
+        for (i = 0, source = paradt__source_of(change->points); i < change->count; i++)
+            if (paradt__weight(&source, i) != 0.0) return paradt__change_fault(d, "the set is one without weights");
+    }
+    source = paradt__source_of(change->points);
+    for (i = 0; i < change->count; i++) {
+        double *to = change->records + i * width;
+        if (paradt__read_record(&source, i, record) == 2047) {
+            d->error_point = i;
+            return PARADT_ERROR_NOT_FINITE;
+        }
+        for (j = 0; j < d->ambient; j++) to[j] = record[d->dim < 0 ? j : d->axes[j]];
+        if (d->weighted) to[d->ambient] = change->points->weights ? record[d->ambient] : 0.0;
+    }
+    return PARADT_OK;
+}
+
+// Finds the ids of the points of a change; those of inserted points are taken.
+static paradt_status paradt__change_number(paradt_dynamic *d, const paradt__change *change) {
+    size_t i, count = d->now.ids + change->count;
+    paradt_status status = PARADT_OK;
+    if (change->kind != PARADT__INSERTION) return PARADT_OK;
+    status = paradt__living_id_room(d, count);
+    for (i = 0; i < change->count && !status; i++) change->number[i] = paradt__living_take_id(d);
+    return status;
+}
+
+// Sorts the points of a change along the curve. other: scratch for as many
+static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *change, paradt__keyed *other) {
+    const paradt__space *space = &d->build.scene.space;
+    paradt__curve curve;
+    size_t i;
+    for (i = 0; i < change->count; i++) change->order[i].item = (paradt_index)i;
+    if (change->count < 3 || d->dim < 1) return;
+    if (change->kind == PARADT__REMOVAL) { // places have been along the curve, and others are seldom
+        for (i = 0; i < change->count; i++)
+            change->order[i].key = (uint64_t)paradt__living_get(d, PARADT__POSITION, change->number[i]);
+        paradt__keyed_sort(change->order, other, change->count, paradt__bit_length(d->now.positions), 0);
+        return;
+    }
+    paradt__curve_begin(&curve, d->ambient, paradt__levels_for(SIZE_MAX, d->ambient), space->low, space->high,
+                        change->count);
+    paradt__curve_sort(&curve, change->records, (size_t)d->ambient + (size_t)d->weighted, change->order, other,
+                       change->count);
+}
+
+// Does a change, point by point.
+static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *change) {
+    enum { PACE = 64 }; // points between two looks at whether the call is cancelled
+    size_t width = (size_t)d->ambient + (size_t)d->weighted, i;
+    uint32_t reported = 0;
+    paradt__progress progress = paradt__progress_of(&d->meter, &reported, 1.0);
+    paradt_status status = PARADT_OK;
+    for (i = 0; i < change->count && !status; i++) {
+        size_t at = (size_t)change->order[i].item;
+        paradt_index id = change->number[at];
+        const double *record = change->records ? change->records + at * width : NULL;
+        if (i % PACE == PACE - 1 && paradt__progress_cancels(&progress, (double)i / (double)change->count))
+            return PARADT_ERROR_CANCELLED;
+        switch (change->kind) {
+        case PARADT__INSERTION:
+            if (d->weighted) d->weights[id] = record[d->ambient];
+            status = paradt__living_insert(d, id, record, change->hint, -1);
+            d->now.points++;
+            break;
+        case PARADT__REMOVAL:
+            status = paradt__living_remove(d, id);
+            if (!status) status = paradt__living_log_room(d, 1);
+            if (!status) paradt__living_give_id(d, id);
+            d->now.points--;
+            break;
+        default: status = paradt__living_move(d, id, record);
+        }
+    }
+    return status;
+}
+
+// Is a change so large that making the set anew takes less time?
+static int paradt__change_is_large(const paradt_dynamic *d, const paradt__change *change) {
+    enum { FEW = 32, PART = 8 };
+    return change->count > FEW && change->count > d->now.points / PART;
+}
+
+// Does a change or makes the set anew, all memory being there.
+static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *change) {
+    paradt_status status;
+    paradt__living_begin(d, change->count > 1 || change->kind == PARADT__MOTION || d->weighted);
+    if (change->kind == PARADT__INSERTION) paradt__living_make_starts(d);
+    status = paradt__change_number(d, change);
+    if (!status)
+        status = d->dim < 0 || paradt__change_is_large(d, change) ? (paradt_status)PARADT__GAVE_UP
+                                                                  : paradt__change_do(d, change);
+    if (!status) {
+        if (d->dim > 0) paradt__living_publish(d);
+        PARADT__VERIFY_LIVING(d);
+        return PARADT_OK;
+    }
+    paradt__living_undo(d);
+    PARADT__VERIFY_LIVING(d);
+    if (status != PARADT__GAVE_UP) return status;
+    status = paradt__living_rebuild(d, change);
+    PARADT__VERIFY_LIVING(d);
+    return status;
+}
+
+// Checks a change and does it.
+static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *change) {
+    size_t width = (size_t)d->ambient + (size_t)d->weighted, count = change->count;
+    paradt__memory *memory = &d->memory;
+    paradt__keyed *other;
+    paradt_status status = PARADT_OK;
+    d->error_point = 0;
+    d->error_text = NULL;
+    if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
+    if (status) return status;
+    change->number = (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
+    change->order = (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
+    other = (paradt__keyed *)paradt__alloc(memory, count, sizeof *other);
+    if (change->kind != PARADT__REMOVAL)
+        change->records = (double *)paradt__alloc(memory, count, width * sizeof(double));
+    if (!change->number || !change->order || !other || (!change->records && change->kind != PARADT__REMOVAL))
+        status = PARADT_ERROR_MEMORY;
+    if (!status && change->kind != PARADT__REMOVAL) status = paradt__change_read(d, change);
+    if (!status) {
+        if (change->kind != PARADT__INSERTION && count)
+            memcpy(change->number, change->ids, count * sizeof *change->number);
+        paradt__change_sort(d, change, other);
+        status = paradt__change_run(d, change);
+    }
+    if (!status && change->new_ids && count) memcpy(change->new_ids, change->number, count * sizeof *change->number);
+    paradt__release(memory, change->number);
+    paradt__release(memory, change->order);
+    paradt__release(memory, other);
+    paradt__release(memory, change->records);
+    if (status && !d->error_text) d->error_text = paradt_status_string(status);
+    return status;
+}
+
+static paradt__change paradt__change_of(paradt__change_kind kind, const paradt_points *points, const paradt_index *ids,
+                                        size_t count) {
+    paradt__change change;
+    memset(&change, 0, sizeof change);
+    change.kind = kind;
+    change.points = points;
+    change.ids = ids;
+    change.count = count;
+    change.hint = -1;
+    return change;
+}
+
+// One point as points. weight: kept by the caller
+static paradt_points paradt__one_point(const paradt_dynamic *d, const double *x, const double *weight) {
+    paradt_points points = paradt__packed_points(1, d->ambient, PARADT_F64);
+    points.data = x;
+    points.weights = weight;
+    return points;
+}
+
+PARADT_DEF paradt_status paradt_dynamic_insert(paradt_dynamic *d, const double *x, double weight, paradt_index hint,
+                                               paradt_index *id) {
+    paradt_points points;
+    paradt__change change;
+    if (!d) return PARADT_ERROR_ARGUMENT;
+    points = paradt__one_point(d, x, &weight);
+    change = paradt__change_of(PARADT__INSERTION, &points, NULL, 1);
+    change.hint = hint;
+    change.new_ids = id;
+    return paradt__living_change(d, &change);
+}
+
+PARADT_DEF paradt_status paradt_dynamic_remove(paradt_dynamic *d, paradt_index id) {
+    return paradt_dynamic_remove_points(d, &id, 1);
+}
+
+PARADT_DEF paradt_status paradt_dynamic_move(paradt_dynamic *d, paradt_index id, const double *x, double weight) {
+    paradt_points points;
+    if (!d) return PARADT_ERROR_ARGUMENT;
+    points = paradt__one_point(d, x, &weight);
+    return paradt_dynamic_move_points(d, &id, &points);
+}
+
+PARADT_DEF paradt_status paradt_dynamic_insert_points(paradt_dynamic *d, const paradt_points *points,
+                                                      paradt_index *ids) {
+    paradt__change change;
+    if (!d || !points) return PARADT_ERROR_ARGUMENT;
+    change = paradt__change_of(PARADT__INSERTION, points, NULL, points->count);
+    change.new_ids = ids;
+    return paradt__living_change(d, &change);
+}
+
+PARADT_DEF paradt_status paradt_dynamic_remove_points(paradt_dynamic *d, const paradt_index *ids, size_t count) {
+    paradt__change change = paradt__change_of(PARADT__REMOVAL, NULL, ids, count);
+    return d ? paradt__living_change(d, &change) : PARADT_ERROR_ARGUMENT;
+}
+
+PARADT_DEF paradt_status paradt_dynamic_move_points(paradt_dynamic *d, const paradt_index *ids,
+                                                    const paradt_points *points) {
+    paradt__change change;
+    if (!d || !points) return PARADT_ERROR_ARGUMENT;
+    change = paradt__change_of(PARADT__MOTION, points, ids, points->count);
+    return paradt__living_change(d, &change);
+}
+
+// --- what the set is
+
+PARADT_DEF void paradt_dynamic_get_info(const paradt_dynamic *d, paradt_dynamic_info *info) {
+    memset(info, 0, sizeof *info);
+    info->dim = d->dim;
+    info->point_count = d->now.points;
+    info->id_count = d->now.ids;
+    info->vertex_count = d->now.vertices;
+    info->cell_count = d->now.cells;
+    info->cell_end = d->dim > 0 ? d->build.scene.mesh.count : d->now.cells;
+    info->bytes = (size_t)d->memory.held;
+    info->error_point = d->error_point;
+    info->error_text = d->error_text;
+}
+
+PARADT_DEF void paradt_dynamic_get_update(const paradt_dynamic *d, paradt_dynamic_update *update) {
+    memset(update, 0, sizeof *update);
+    update->killed_count = d->killed_numbers.count;
+    update->killed = d->killed_numbers.items;
+    update->killed_vertices = d->killed_vertices.items;
+    update->made_count = d->made.count;
+    update->made = d->made.items;
+    update->dim_before = d->dim_before;
+    update->rebuilt = d->rebuilt;
+}
+
+// The link of a facet as users see it
+static paradt_index paradt__living_link(const paradt_dynamic *d, paradt_index handle) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index mirror = mesh->links[handle];
+    return paradt__is_finite_cell(paradt__mesh_row(mesh, paradt__mesh_cell(mesh, mirror)), mesh->corners) ? mirror : -1;
+}
+
+PARADT_DEF int paradt_dynamic_cell(const paradt_dynamic *d, paradt_index cell, paradt_index *vertices,
+                                   paradt_index *neighbors) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    const paradt_index *owner = d->column[PARADT__OWNER];
+    paradt_index i;
+    if (d->dim == 0 && cell == 0) {
+        if (vertices) vertices[0] = owner[0];
+        if (neighbors) neighbors[0] = -1;
+        return 1;
+    }
+    if (cell < 0 || d->dim < 1 || (size_t)cell >= mesh->count ||
+        !paradt__is_finite_cell(paradt__mesh_row(mesh, cell), mesh->corners))
+        return 0;
+    for (i = 0; i < mesh->corners; i++) {
+        if (vertices) vertices[i] = owner[mesh->vertices[cell * mesh->corners + i]];
+        if (neighbors) neighbors[i] = paradt__living_link(d, cell * mesh->corners + i);
+    }
+    return 1;
+}
+
+// The position of an id, or PARADT__NOWHERE where it is free or out of range
+static paradt_index paradt__living_position(const paradt_dynamic *d, paradt_index id) {
+    paradt_index position;
+    if (id < 0 || (size_t)id >= d->now.ids) return PARADT__NOWHERE;
+    position = paradt__living_get(d, PARADT__POSITION, id);
+    return position < 0 ? PARADT__NOWHERE : position;
+}
+
+PARADT_DEF const double *paradt_dynamic_point(const paradt_dynamic *d, paradt_index id, double *weight) {
+    paradt_index position = paradt__living_position(d, id);
+    if (position == PARADT__NOWHERE) return NULL;
+    if (weight) *weight = d->weighted ? d->weights[id] : 0.0;
+    return d->plain ? d->plain + position * (paradt_index)d->ambient : paradt__living_record(d, position);
+}
+
+PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, paradt_index id) {
+    paradt_index position = paradt__living_position(d, id);
+    if (position == PARADT__NOWHERE) return -2;
+    return paradt__living_is_hidden(d, position) ? -1 : paradt__living_get(d, PARADT__OWNER, position);
+}
+
+// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells: a star of many cells would take
+// memory that nobody can provide here.
+static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                        size_t capacity) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t count = 0, i;
+    for (i = 0; i < mesh->count; i++) {
+        if (!paradt__mesh_has(mesh, (paradt_index)i, position) ||
+            !paradt__is_finite_cell(paradt__mesh_row(mesh, (paradt_index)i), mesh->corners))
+            continue;
+        if (count++ < capacity) cells[count - 1] = (paradt_index)i;
+    }
+    return count;
+}
+
+PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt_index position = paradt__living_position(d, id);
+    paradt__star star;
+    size_t count = 0, i;
+    if (position == PARADT__NOWHERE || paradt__living_is_hidden(d, position) ||
+        paradt__living_get(d, PARADT__OWNER, position) != id)
+        return 0;
+    if (d->dim == 0) {
+        if (capacity) cells[0] = 0;
+        return 1;
+    }
+    paradt__star_of(mesh, paradt__living_get(d, PARADT__CELL, position), position, &star);
+    if (star.count > PARADT__STAR_CELLS) return paradt__living_large_star(d, position, cells, capacity);
+    for (i = 0; i < star.count; i++) {
+        paradt_index cell = paradt__mesh_cell(mesh, star.handles[i]);
+        if (!paradt__is_finite_cell(paradt__mesh_row(mesh, cell), mesh->corners)) continue;
+        if (count++ < capacity) cells[count - 1] = cell;
+    }
+    return count;
+}
+
+#ifndef PARADT_NO_LOCATOR
+// Copies a place as records have it. Returns 0 if it is not finite.
+static int paradt__living_take(const paradt_dynamic *d, const double *x, double *to) {
+    int axis, finite = 1;
+    for (axis = 0; axis < d->ambient; axis++) {
+        to[axis] = paradt__from_ordered_bits(paradt__ordered_bits(x[d->dim < 0 ? axis : d->axes[axis]]));
+        finite &= paradt__is_finite(to[axis]);
+    }
+    return finite;
+}
+
+// Finds the cell that a place is in. Returns its face, as in paradt_location.
+static unsigned paradt__living_place(const paradt_dynamic *d, paradt__view *view, const double *x, paradt_index hint,
+                                     paradt_index *cell) {
+    unsigned inside = 0;
+    *cell = 0;
+    if (d->dim == 0) return !memcmp(x, d->records, (size_t)d->ambient * sizeof *x);
+    paradt__view_begin(view, &d->build.scene);
+    paradt__view_admit(view, x);
+    *cell = paradt__place_in(view, paradt__living_start(d, x, hint), x, &inside);
+    return inside;
+}
+
+PARADT_DEF paradt_location paradt_dynamic_locate(const paradt_dynamic *d, const double *x, paradt_index hint) {
+    paradt_location location = {-1, 0};
+    paradt__view view;
+    double own[PARADT_MAX_DIM];
+    if (!d || !x || d->dim < 0 || !paradt__living_take(d, x, own)) return location;
+    location.face = paradt__living_place(d, &view, own, hint, &location.cell);
+    return location;
+}
+
+PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const double *x, paradt_index hint) {
+    paradt__view view;
+    paradt__memory memory;
+    paradt_index cell;
+    double own[PARADT_MAX_DIM];
+    if (!d || !x || d->dim < 0 || !paradt__living_take(d, x, own)) return -1;
+    if (d->dim == 0) return paradt__living_get(d, PARADT__OWNER, 0);
+    paradt__memory_begin(&memory, &d->options);
+    paradt__living_place(d, &view, own, hint, &cell);
+    return paradt__living_get(d, PARADT__OWNER, paradt__nearest_in(&view, cell, own, &memory));
+}
+#endif
+
+// --- export
+
+// Fills the rows of cells. number: [places] the number of each cell
+static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out, const paradt_index *number) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    const paradt_index *owner = d->column[PARADT__OWNER];
+    size_t corners = (size_t)mesh->corners, i, j;
+    for (i = 0; i < mesh->count; i++) {
+        paradt_index *cell = out->cells + (size_t)number[i] * corners;
+        paradt_index *links = out->neighbors + (size_t)number[i] * corners;
+        if (number[i] < 0) continue;
+        for (j = 0; j < corners; j++) {
+            paradt_index other = number[paradt__mesh_cell(mesh, mesh->links[i * corners + j])];
+            cell[j] = owner[mesh->vertices[i * corners + j]];
+            links[j] = other;
+            out->stats.hull_facets += other < 0;
+        }
+    }
+}
+
+PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    size_t corners = d->dim > 0 ? (size_t)mesh->corners : 1, places = d->dim > 0 ? mesh->count : 0, i;
+    paradt__memory memory;
+    paradt_index *number, count = 0;
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    memset(out, 0, sizeof *out);
+    out->dim = -1;
+    paradt__memory_begin(&memory, &d->options);
+    out->allocator = memory.allocator;
+    number = (paradt_index *)paradt__alloc(&memory, places, sizeof *number);
+    out->cells = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
+    if (d->dim > 0)
+        out->neighbors = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
+    out->representative = (paradt_index *)paradt__alloc(&memory, d->now.ids, sizeof(paradt_index));
+    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) {
+        paradt__release(&memory, number);
+        paradt__withdraw(out, PARADT_ERROR_MEMORY, -1);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < places; i++)
+        number[i] = paradt__is_finite_cell(mesh->vertices + i * corners, mesh->corners) ? count++ : -1;
+    out->dim = d->dim;
+    out->cell_count = d->now.cells;
+    if (d->dim > 0) paradt__export_cells(d, out, number);
+    else if (d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
+    out->point_count = d->now.ids;
+    for (i = 0; i < d->now.ids; i++) out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
+    out->stats.cells = out->cell_count;
+    out->stats.hidden = d->now.hidden;
+    out->stats.duplicates = d->now.points - d->now.vertices - d->now.hidden;
+    out->stats.regions = 1;
+    paradt__release(&memory, number);
+    return PARADT_OK;
+}
+#endif // PARADT_NO_DYNAMIC
+
+#ifndef PARADT_NO_VORONOI
+// ---------------------------------------------------------------------------------------------------------------------
+// >>diagram
+//
+// What a Voronoi or power diagram is computed from, and the planes of its cells in floating point. Everything about the
+// cell of a point p is relative to p: with y = x - p and a = q - p the points x that are as near to p as to q, in the
+// sense of the power, lie on the plane
+//
+//     a . y = (|a|^2 + w_p - w_q) / 2        and on a wall        n . y = o - n . p
+//
+// Coordinates in floating point are the caller's times 2^-shift, so that no product overflows; exact integers
+// (>>planes of a cell) are made of the caller's doubles. The axes are those of the set: the first ones orient.
+//
+// A cell without bounds on an axis is clipped by a far wall there, at the distance M from p, where M stands for a
+// number larger than all others: a vertex is y = A + M B, and what is decided of M decides before what is decided of
+// the rest.
+// Doors: struct paradt__diagram, PARADT__ROW_BYTES, paradt__row_vertices, paradt__row_centre, paradt__diagram_point,
+// paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_plane, paradt__diagram_meet, paradt__diagram_above.
+
+// What is known of a point, bits
+enum {
+    PARADT__CELL_THERE = 1,   // it is a vertex of the triangulation
+    PARADT__CELL_CLIPPED = 2, // its cell may be unbounded or leave the walls
+    PARADT__CELL_HULL = 4     // it is on the hull
+};
+
+enum { PARADT__DIAGRAM_PACE = 1 << 12 }; // cells between two looks at whether the call is cancelled
+
+// A wall as the caller gave it, along the set's axes: normal . x <= offset
+typedef struct paradt__voronoi_wall {
+    double normal[PARADT_MAX_DIM], offset;
+    double scaled_normal[PARADT_MAX_DIM], scaled_offset; // the same plane in scaled coordinates
+    int inexact;                                         // scaling lost bits
+    int axis;                                            // of a bound of the box: its axis; else -1
+    int distant;                                         // the box has no bound there
+} paradt__voronoi_wall;
+
+typedef struct paradt__diagram {
+    int d, k; // dimension of space; of the triangulation
+    int weighted;
+    paradt__set set;  // the points, in the caller's order
+    size_t cells;     // of the triangulation
+    char *rows;       // [cells] of row_bytes: vertices; where `centred` links, and then the cell's centre and its error
+    char *rows_block; // the memory that they are in
+    size_t row_bytes;
+    size_t hull;          // facets of the hull
+    int centred;          // the triangulation is as wide as space, of two or three dimensions
+    const double *scaled; // [set.count][set.width] what floating point works with; set.records where shift is 0
+    int shift;
+    double tiny;                 // more than what underflow adds to a determinant
+    paradt__voronoi_wall *walls; // [wall_count] 2 d bounds of the box, then planes
+    size_t wall_count;
+    int odd;             // the axes are an odd permutation of the caller's
+    int nothing;         // the box has a lower bound above the upper
+    unsigned char *kind; // [set.count] PARADT__CELL_* bits
+    paradt__memory *memory;
+    paradt__meter *meter;
+} paradt__diagram;
+
+// A plane of a cell: normal . y <= offset for the cell's points
+typedef struct paradt__halfspace {
+    double normal[PARADT_MAX_DIM]; // each errs by a roundoff at most
+    double offset, size;           // the offset errs by PARADT__OFFSET_ROUNDINGS roundoffs of `size` at most
+    paradt_index side;             // a point; -1 - k: wall k
+    int distant;                   // a far wall: its offset is M
+} paradt__halfspace;
+
+// A square of a difference has been rounded three times, the sum of d squares d - 1 times, and a difference of weights
+// adds two and a sum; the offset of a wall takes fewer.
+#define PARADT__OFFSET_ROUNDINGS(d) ((d) + 6)
+
+// The bytes of a row with links and a centre; a cache line in space
+#define PARADT__ROW_BYTES(d) ((size_t)((d) + 1) * (2 * sizeof(paradt_index) + sizeof(double)))
+
+PARADT__INLINE paradt_index *paradt__row_vertices(const paradt__diagram *g, size_t cell, size_t bytes) {
+    return (paradt_index *)(void *)(g->rows + cell * bytes);
+}
+
+PARADT__INLINE double *paradt__row_centre(const paradt_index *vertices, int d) {
+    return (double *)(void *)(uintptr_t)(vertices + 2 * (d + 1));
+}
+
+PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, paradt_index point) {
+    return g->scaled + (size_t)point * g->set.width;
+}
+
+// The plane between p and q. Its offset is a sum of at most eight squares of differences and of two weights.
+PARADT__INLINE void paradt__diagram_bisector(const paradt__diagram *g, paradt_index p, paradt_index q,
+                                             paradt__halfspace *h, int d) {
+    const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    double squares = 0;
+    int j;
+    PARADT__UNROLL_4
+    for (j = 0; j < d; j++) {
+        h->normal[j] = to[j] - from[j];
+        squares += h->normal[j] * h->normal[j];
+    }
+    h->offset = h->size = squares;
+    if (g->weighted) {
+        h->offset = squares + (from[d] - to[d]);
+        h->size = squares + (paradt__abs(from[d]) + paradt__abs(to[d]));
+    }
+    h->offset *= 0.5;
+    h->size = h->size * 0.5 + g->tiny;
+    h->side = q;
+    h->distant = 0;
+}
+
+// Wall number `wall` as a plane of the cell of p
+static void paradt__diagram_wall(const paradt__diagram *g, paradt_index p, size_t number, paradt__halfspace *h) {
+    const double *from = paradt__diagram_point(g, p);
+    const paradt__voronoi_wall *wall = g->walls + number;
+    double dot = 0, size = 0;
+    int j;
+    for (j = 0; j < g->d; j++) {
+        h->normal[j] = wall->scaled_normal[j];
+        dot += h->normal[j] * from[j];
+        size += paradt__abs(h->normal[j] * from[j]);
+    }
+    h->offset = wall->scaled_offset - dot;
+    h->size = wall->axis >= 0 ? paradt__abs(h->offset) : paradt__abs(wall->scaled_offset) + size;
+    h->size += g->tiny;
+    if (wall->inexact) h->size = HUGE_VAL;
+    if (wall->distant) h->offset = 0, h->size = g->tiny;
+    h->side = -1 - (paradt_index)number;
+    h->distant = wall->distant;
+}
+
+// The plane of the cell of p that has a given side
+static void paradt__diagram_plane(const paradt__diagram *g, paradt_index p, paradt_index side, paradt__halfspace *h) {
+    if (side < 0) paradt__diagram_wall(g, p, (size_t)(-1 - side), h);
+    else paradt__diagram_bisector(g, p, side, h, g->d);
+}
+
+// The determinants of d + 1 columns, of which one is left out, by all minors. The last column is the offsets.
+static void paradt__diagram_minors(const paradt__halfspace *const *h, int d, int distant, double *out, double *sizes) {
+    double minor[2 << PARADT_MAX_DIM], size[2 << PARADT_MAX_DIM];
+    const unsigned all = (2u << d) - 1;
+    unsigned mask, rest;
+    int j;
+    minor[0] = size[0] = 1;
+    for (mask = 1; mask < all; mask++) {
+        double sum = 0, sum_of_sizes = 0;
+        const paradt__halfspace *row;
+        int last = -1;
+        for (rest = mask; rest; rest &= rest - 1) last++;
+        row = h[last];
+        for (rest = mask; rest; rest &= rest - 1) {
+            unsigned bit = rest & (0 - rest);
+            int column = paradt__trailing_zeros(rest);
+            double x = column < d ? row->normal[column] : distant ? row->distant : row->offset;
+            double y = column < d ? paradt__abs(x) : distant ? row->distant : row->size;
+            sum = x * minor[mask ^ bit] - sum;
+            sum_of_sizes += y * size[mask ^ bit];
+        }
+        minor[mask] = sum;
+        size[mask] = sum_of_sizes;
+    }
+    for (j = 0; j <= d; j++) { // without column j: the solution has the offsets in its place
+        out[j] = (d - 1 - j) & 1 && j < d ? -minor[all ^ 1u << j] : minor[all ^ 1u << j];
+        sizes[j] = size[all ^ 1u << j];
+    }
+}
+
+// Finds where d planes meet: y[d], and in y[d] a bound of the coordinates' error. distant: of y = A + M B finds B
+// instead of A. Returns 0 where floating point has too few digits.
+//
+// A determinant is a sum of monomials, each of d entries. Each entry has been rounded once, an offset
+// PARADT__OFFSET_ROUNDINGS times relative to its size; then there are two roundings for d = 2, five for d = 3, and less
+// than d (d + 5) / 2 by minors. A hundredth more covers the higher orders and the rounding of the sizes.
+PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__halfspace *const *h, int d, int distant,
+                                        double *y) {
+    const int steps = d == 2 ? 2 : d == 3 ? 5 : d * (d + 5) / 2;
+    const double det_factor = PARADT__ROUNDOFF * 1.01 * (d + steps);
+    const double factor = PARADT__ROUNDOFF * 1.01 * (d - 1 + PARADT__OFFSET_ROUNDINGS(d) + steps);
+    double n[PARADT_MAX_DIM + 1], size[PARADT_MAX_DIM + 1], det_error, det, largest = 0, error = 0;
+    int j;
+    if (d == 2) {
+        const double *a = h[0]->normal, *b = h[1]->normal;
+        double s = distant ? h[0]->distant : h[0]->offset, t = distant ? h[1]->distant : h[1]->offset;
+        double v = distant ? s : h[0]->size, w = distant ? t : h[1]->size;
+        n[2] = a[0] * b[1] - a[1] * b[0];
+        n[0] = s * b[1] - t * a[1];
+        n[1] = a[0] * t - b[0] * s;
+        size[2] = paradt__abs(a[0] * b[1]) + paradt__abs(a[1] * b[0]);
+        size[0] = v * paradt__abs(b[1]) + w * paradt__abs(a[1]);
+        size[1] = w * paradt__abs(a[0]) + v * paradt__abs(b[0]);
+    } else if (PARADT__IS(d, 3)) {
+        const int x = 0, z = PARADT_MAX_DIM > 2 ? 2 : 0; // the last index is there in three dimensions alone
+        const double *a = h[0]->normal, *b = h[1]->normal, *c = h[z]->normal;
+        double o[3], v[3], m[3][3], s[3][3];
+        int i;
+        for (i = 0; i < 3; i++) {
+            o[i] = distant ? h[i]->distant : h[i]->offset;
+            v[i] = distant ? o[i] : h[i]->size;
+        }
+        m[0][0] = b[1] * c[z] - b[z] * c[1], m[0][1] = b[z] * c[x] - b[x] * c[z], m[0][2] = b[x] * c[1] - b[1] * c[x];
+        m[1][0] = c[1] * a[z] - c[z] * a[1], m[1][1] = c[z] * a[x] - c[x] * a[z], m[1][2] = c[x] * a[1] - c[1] * a[x];
+        m[2][0] = a[1] * b[z] - a[z] * b[1], m[2][1] = a[z] * b[x] - a[x] * b[z], m[2][2] = a[x] * b[1] - a[1] * b[x];
+        s[0][0] = paradt__abs(b[1] * c[z]) + paradt__abs(b[z] * c[1]);
+        s[0][1] = paradt__abs(b[z] * c[x]) + paradt__abs(b[x] * c[z]);
+        s[0][2] = paradt__abs(b[x] * c[1]) + paradt__abs(b[1] * c[x]);
+        s[1][0] = paradt__abs(c[1] * a[z]) + paradt__abs(c[z] * a[1]);
+        s[1][1] = paradt__abs(c[z] * a[x]) + paradt__abs(c[x] * a[z]);
+        s[1][2] = paradt__abs(c[x] * a[1]) + paradt__abs(c[1] * a[x]);
+        s[2][0] = paradt__abs(a[1] * b[z]) + paradt__abs(a[z] * b[1]);
+        s[2][1] = paradt__abs(a[z] * b[x]) + paradt__abs(a[x] * b[z]);
+        s[2][2] = paradt__abs(a[x] * b[1]) + paradt__abs(a[1] * b[x]);
+        for (j = 0; j < 3; j++) {
+            n[j] = o[0] * m[0][j] + o[1] * m[1][j] + o[2] * m[2][j];
+            size[j] = v[0] * s[0][j] + v[1] * s[1][j] + v[2] * s[2][j];
+        }
+        n[d] = a[0] * m[0][0] + a[1] * m[0][1] + a[z] * m[0][2];
+        size[d] = paradt__abs(a[0]) * s[0][0] + paradt__abs(a[1]) * s[0][1] + paradt__abs(a[z]) * s[0][2];
+    } else {
+        paradt__diagram_minors(h, d, distant, n, size);
+    }
+    det = paradt__abs(n[d]);
+    det_error = det_factor * size[d] + g->tiny;
+    y[d] = HUGE_VAL;
+    if (!(det > 2 * det_error)) {
+        for (j = 0; j < d; j++) y[j] = 0;
+        return 0;
+    }
+    for (j = 0; j < d; j++) {
+        y[j] = n[j] / n[d];
+        error = paradt__larger(error, factor * size[j]);
+        largest = paradt__larger(largest, paradt__abs(y[j]));
+    }
+    y[d] = (error + g->tiny + largest * det_error) / (det - det_error) * (1 + 16 * PARADT__ROUNDOFF) +
+           2 * PARADT__ROUNDOFF * largest;
+    return y[d] <= 256 * PARADT__ROUNDOFF * largest;
+}
+
+// On which side of a plane is y, of which the error is known? 1: strictly outside, -1 strictly inside. distant: of
+// y = A + M B only B is asked about.
+PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt__halfspace *h, const double *y, int d,
+                                         int distant) {
+    double value = distant ? 0 : -h->offset, size = distant ? 0 : PARADT__OFFSET_ROUNDINGS(d) * h->size, sum = 0, error;
+    double reach = 1; // what underflow has made of a normal is multiplied by y
+    int j;
+    for (j = 0; j < d; j++) {
+        reach += paradt__abs(y[j]);
+        value += h->normal[j] * y[j];
+        size += paradt__abs(h->normal[j] * y[j]) * (d + 4);
+        sum += paradt__abs(h->normal[j]);
+    }
+    error = (size * PARADT__ROUNDOFF + sum * y[d]) * (1 + 32 * PARADT__ROUNDOFF) + g->tiny * reach;
+    return value > error ? 1 : value < -error ? -1 : PARADT__UNDECIDED;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>diagram order
+//
+// Points along Hilbert's curve, and the cells of the triangulation in the order of the first of their points: so what
+// is near in space is near in memory. A caller's points may come in any order, and cells in that of their making; to
+// walk around edges of these takes three times as long. From here on points are positions of the set. What belongs to a
+// cell comes into one row, and ghosts become hull points whose cells are unbounded.
+// Doors: paradt__diagram_rows.
+
+enum { PARADT__DIAGRAM_FEW = 4096 }; // cells: so few are in fast memory anyway
+
+// Sorts the points. to: [set.count] where each of them comes
+PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt_index *to) {
+    paradt__set *set = &g->set;
+    size_t i, n = set->count, width = set->width;
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc_filled(g->memory, 2 * n, sizeof *keyed);
+    double *records = (double *)paradt__alloc_filled(g->memory, n + 1, width * sizeof *records);
+    paradt__curve curve;
+    set->origin = (paradt_index *)paradt__alloc_filled(g->memory, n, sizeof *set->origin);
+    if (!keyed || !records || !set->origin) {
+        paradt__release(g->memory, keyed);
+        paradt__release(g->memory, records);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < n; i++) keyed[i].item = (paradt_index)i;
+    paradt__curve_begin(&curve, g->d, paradt__levels_for(n, g->d), set->space.low, set->space.high, n);
+    paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n);
+    for (i = 0; i < n; i++) {
+        PARADT__FETCH(set->records, (size_t)keyed[i + 16 < n ? i + 16 : i].item * width);
+        set->origin[i] = keyed[i].item;
+        to[keyed[i].item] = (paradt_index)i;
+        paradt__copy_record(records + i * width, set->records + (size_t)keyed[i].item * width, width);
+    }
+    paradt__release(g->memory, set->records);
+    paradt__release(g->memory, keyed);
+    set->records = records;
+    return PARADT_OK;
+}
+
+// The least vertex of a cell
+PARADT__INLINE paradt_index paradt__diagram_least(const paradt_index *vertices, int corners) {
+    paradt_index least = vertices[0];
+    int i;
+    for (i = 1; i < corners; i++) least = vertices[i] < least ? vertices[i] : least;
+    return least;
+}
+
+// Finds where cells come, whose vertices are positions. to: [cells]; first: [set.count + 1] scratch
+PARADT__INLINE void paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh, paradt_index *to,
+                                               paradt_index *first, int corners) {
+    size_t cell, i;
+    memset(first, 0, (g->set.count + 1) * sizeof *first);
+    for (cell = 0; cell < g->cells; cell++)
+        first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners) + 1]++;
+    for (i = 0; i < g->set.count; i++) first[i + 1] += first[i];
+    for (cell = 0; cell < g->cells; cell++)
+        to[cell] = first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners)]++;
+}
+
+// Fills the rows of cells in order. to: NULL: they stay where they are
+PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh, const paradt_index *to,
+                                         int corners) {
+    enum { AHEAD = 8 };
+    const size_t bytes = PARADT__ROW_BYTES(corners - 1);
+    size_t cell;
+    int j;
+    for (cell = 0; cell < g->cells; cell++) {
+        size_t base = cell * (size_t)corners;
+        paradt_index *row = paradt__row_vertices(g, to ? (size_t)to[cell] : cell, bytes);
+        if (to && cell + 2 * AHEAD < g->cells) {
+            for (j = 0; j < corners; j++) {
+                paradt_index link = mesh->links[base + (size_t)(2 * AHEAD * corners + j)] / corners;
+                PARADT__FETCH(to, link);
+            }
+            PARADT__PREFETCH_TO_WRITE(g->rows + (size_t)to[cell + AHEAD] * bytes);
+        }
+        for (j = 0; j < corners; j++) {
+            paradt_index link = mesh->links[base + (size_t)j], other = link / corners;
+            row[j] = mesh->vertices[base + (size_t)j];
+            if ((size_t)other >= g->cells) row[corners + j] = PARADT__HULL;
+            else row[corners + j] = to ? to[other] * corners + (link - other * corners) : link;
+        }
+    }
+}
+
+// Makes the rows of a triangulation that is as wide as space: sorts points and cells, and marks the points of the hull.
+PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const paradt__mesh *mesh) {
+    const size_t corners = (size_t)mesh->corners;
+    size_t i;
+    paradt_index *to = NULL, *scratch = NULL;
+    paradt_status status = PARADT_OK;
+    if (g->cells >= PARADT__DIAGRAM_FEW) {
+        scratch = (paradt_index *)paradt__alloc_filled(g->memory, g->set.count + 1, sizeof *scratch);
+        to = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *to);
+        status = scratch && to ? paradt__diagram_sort_points(g, scratch) : PARADT_ERROR_MEMORY;
+        for (i = 0; i < mesh->count * corners && !status; i++) {
+            if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
+        }
+        if (!status && corners == 4) paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
+        else if (!status) paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
+    }
+    if (!status && corners == 4) paradt__diagram_fill(g, mesh, to, 4);
+    else if (!status) paradt__diagram_fill(g, mesh, to, 3);
+    for (i = 0; i < g->cells * corners && !status; i++) g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    for (; i < mesh->count * corners && !status; i++) { // ghosts
+        if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
+    }
+    paradt__release(g->memory, to);
+    paradt__release(g->memory, scratch);
+    return status;
+}
+
+// Makes the rows, and finds which points are vertices. kind has been cleared.
+static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh *mesh) {
+    enum { LINE = 64 }; // bytes
+    size_t corners = (size_t)mesh->corners, cell, j;
+    g->centred = g->k == g->d && g->d <= 3;
+    g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : corners * sizeof(paradt_index);
+    if (g->cells > (SIZE_MAX / 2 - LINE) / g->row_bytes) return PARADT_ERROR_MEMORY;
+    g->rows_block = (char *)paradt__alloc_filled(g->memory, g->cells * g->row_bytes + LINE, 1);
+    if (!g->rows_block) return PARADT_ERROR_MEMORY;
+    g->rows = g->rows_block + (LINE - (uintptr_t)g->rows_block % LINE) % LINE;
+    if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
+    if (g->centred) return paradt__diagram_rows_centred(g, mesh);
+    for (cell = 0; cell < g->cells; cell++) {
+        paradt_index *row = paradt__row_vertices(g, cell, g->row_bytes);
+        for (j = 0; j < corners; j++) {
+            row[j] = mesh->vertices[cell * corners + j];
+            g->kind[row[j]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
+        }
+    }
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Voronoi vertices
+//
+// The vertices of the diagram, as far as nothing clips it: one for each cell of the triangulation, the centre of the
+// sphere through its vertices. They are computed in floating point relative to one vertex, with a bound of the error;
+// cells that are too flat for that get theirs rounded once from integers. Cells with the same sphere have the same
+// vertex, of which each has a number of its own, within its error. Here it shows, too, which cells of the diagram need
+// no clipping: of those all vertices are certainly inside of all walls, and none is at infinity.
+// Doors: paradt__centres_make, paradt__centre_of, paradt__centres_agree, paradt__centres_differ.
+
+PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
+    return paradt__row_centre(paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(d)), d);
+}
+
+// Computes the centre of a cell from integers. Returns 0 if the cell is flat.
+PARADT__NOINLINE int paradt__centre_exact(const paradt__diagram *g, const paradt_index *vertices, double *centre) {
+    const double *p[PARADT_MAX_DIM + 1];
+    double w[PARADT_MAX_DIM + 1], radius2, largest = 0;
+    int d = g->d, i, exact = 1;
+    paradt__face face;
+    paradt__sphere_of sphere;
+    for (i = 0; i <= d; i++) {
+        p[i] = paradt__record(&g->set, vertices[i]);
+        w[i] = g->weighted ? p[i][d] : 0;
+    }
+    sphere.centre = centre;
+    paradt__face_begin(&face, d, p, g->weighted ? w : NULL);
+    if (!paradt__face_run(&face, paradt__use_for_circumsphere, &sphere)) return 0;
+    radius2 = sphere.radius2;
+    (void)radius2;
+    for (i = 0; i < d; i++) {
+        if (g->shift && paradt__is_finite(centre[i])) centre[i] = paradt__scale(centre[i], -g->shift, &exact);
+        largest = paradt__larger(largest, paradt__abs(centre[i]));
+    }
+    centre[d] = largest * PARADT__ROUNDOFF + g->tiny;
+    if (!(largest < paradt__power(1000))) centre[d] = HUGE_VAL;
+    return 1;
+}
+
+// Computes the centre of a cell. Returns 0 if the cell is flat.
+PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt_index *vertices, double *centre,
+                                          int d) {
+    paradt__halfspace planes[PARADT_MAX_DIM];
+    const paradt__halfspace *h[PARADT_MAX_DIM];
+    const double *base = paradt__diagram_point(g, vertices[0]);
+    double y[PARADT_MAX_DIM + 1], largest = 0;
+    int i, known;
+    PARADT__UNROLL
+    for (i = 0; i < d; i++) {
+        paradt__diagram_bisector(g, vertices[0], vertices[i + 1], planes + i, d);
+        h[i] = planes + i;
+    }
+    known = paradt__diagram_meet(g, h, d, 0, y);
+    PARADT__UNROLL
+    for (i = 0; i < d; i++) {
+        centre[i] = base[i] + y[i];
+        largest = paradt__larger(largest, paradt__abs(centre[i]));
+    }
+    centre[d] = y[d] + PARADT__ROUNDOFF * largest;
+    if (known || y[d] <= 32 * PARADT__ROUNDOFF * largest) return 1;
+    return paradt__centre_exact(g, vertices, centre);
+}
+
+// Is a place certainly inside of all walls?
+PARADT__INLINE int paradt__centre_is_inside(const paradt__diagram *g, const double *centre, int d) {
+    size_t i = 0;
+    double bound = 2 * centre[d] + g->tiny;
+    int j, inside = 1;
+    for (; i < 2 * (size_t)d && i < g->wall_count; i++) { // of the box
+        const paradt__voronoi_wall *wall = g->walls + i;
+        double x = centre[wall->axis];
+        double room = i < (size_t)d ? x + wall->scaled_offset : wall->scaled_offset - x;
+        inside &= wall->distant | (room > bound);
+    }
+    for (; i < g->wall_count && inside; i++) {
+        const paradt__voronoi_wall *wall = g->walls + i;
+        double value = -wall->scaled_offset, size = paradt__abs(wall->scaled_offset), sum = 0;
+        for (j = 0; j < d; j++) {
+            value += wall->scaled_normal[j] * centre[j];
+            size += paradt__abs(wall->scaled_normal[j] * centre[j]);
+            sum += paradt__abs(wall->scaled_normal[j]);
+        }
+        inside = !wall->inexact && value < -(sum * bound + size * PARADT__ROUNDOFF * 16);
+    }
+    return inside;
+}
+
+typedef struct paradt__centring {
+    paradt__diagram *g;
+    const paradt__team *team;
+    paradt_status status[PARADT__MOST_TASKS];
+} paradt__centring;
+
+PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t task, int d) {
+    const paradt__diagram *g = centring->g;
+    size_t cell, end = paradt__loader_range(centring->team, g->cells, task, &cell), first = cell;
+    int i;
+    for (; cell < end; cell++) {
+        const paradt_index *vertices = paradt__row_vertices(g, cell, PARADT__ROW_BYTES(d));
+        double *centre = paradt__row_centre(vertices, d);
+        if (cell % PARADT__DIAGRAM_PACE == 0 &&
+            paradt__team_cancels(centring->team, task, (double)(cell - first) / (double)(end - first)))
+            return;
+        if (!paradt__centre_compute(g, vertices, centre, d)) {
+            centring->status[task] = PARADT_ERROR_INVALID;
+            return;
+        }
+        if (paradt__centre_is_inside(g, centre, d)) continue;
+        for (i = 0; i <= d; i++) {
+            unsigned char *kind = &g->kind[vertices[i]], known = PARADT__ATOMIC_LOAD(kind);
+            if (!(known & PARADT__CELL_CLIPPED))
+                PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
+        }
+    }
+}
+
+PARADT__HOT void paradt__centres_task(void *context, size_t task) {
+    paradt__centring *centring = (paradt__centring *)context;
+    if (centring->g->d == 2) paradt__centres_of_task(centring, task, 2);
+    else paradt__centres_of_task(centring, task, 3);
+}
+
+// Makes the centres of all cells of a triangulation that is as wide as space, and finds the cells of the diagram that
+// may have to be clipped.
+static paradt_status paradt__centres_make(paradt__diagram *g, const paradt__team *team) {
+    paradt__centring centring;
+    size_t task;
+    centring.g = g;
+    centring.team = team;
+    memset(centring.status, 0, sizeof centring.status);
+    paradt__team_run(team, paradt__centres_task, &centring);
+    if (paradt__team_cancelled(team)) return PARADT_ERROR_CANCELLED;
+    for (task = 0; task < team->tasks; task++) {
+        if (centring.status[task]) return centring.status[task];
+    }
+    return PARADT_OK;
+}
+
+// Have a cell and its neighbour at a place the same sphere?
+PARADT__NOINLINE int paradt__centres_agree(const paradt__diagram *g, paradt__space *space, size_t cell, int place) {
+    const paradt_index corners = g->d + 1, *row = paradt__row_vertices(g, cell, g->row_bytes);
+    paradt_index link = row[corners + place], other = link / corners, i;
+    const double *p[PARADT_MAX_DIM + 2];
+    for (i = 0; i < corners; i++) p[i] = paradt__record(&g->set, row[i]);
+    p[corners] = paradt__record(&g->set, paradt__row_vertices(g, (size_t)other, g->row_bytes)[link % corners]);
+    return !paradt__insphere(space, p);
+}
+
+// Are two centres certainly different?
+PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int d) {
+    double error = (a[d] + b[d]) * (1 + 4 * PARADT__ROUNDOFF);
+    int j, differ = 0;
+    PARADT__UNROLL
+    for (j = 0; j < d; j++) differ |= paradt__abs(a[j] - b[j]) * (1 - 4 * PARADT__ROUNDOFF) > error;
+    return differ;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Voronoi faces
+//
+// Faces that nothing clips, of cells of which at least one is not clipped, in two and three dimensions; and from these
+// the volumes of cells: V(p) is the sum over its faces of h A / d, where h is the signed distance of the face's plane
+// from p, and A the face's measure. In space the face between p and q is the polygon of the vertices of the cells
+// around the edge p q. These rings are walked along the cells, whose order in memory is that of space: an edge belongs
+// to the first cell around it, and a mark at each cell tells which of its edges are done.
+//
+// A face is there if it has d different vertices: these are corners of a convex polygon, so that three are not in a
+// line. Most differ by more than their errors; otherwise the spheres of neighbouring cells are compared exactly.
+//
+// Errors. Let the vertices of a polygon with m corners err by at most e in each coordinate, and let s be the largest
+// coordinate of a difference to the first of them. A difference errs by 2 e + u s, u the roundoff, so a coordinate of
+// the cross product of two of them by 4 s (2 e + u s) + 2 (2 e + u s)^2 + 6 u s^2, and the sum of m - 2 of them by m -
+// 2 times that and m u times its size, 2 s^2 for each. What follows multiplies these.
+//
+// The cells of the triangulation are divided into chunks, whose number depends on how many they are alone, and sums of
+// chunks are added in order: so the result does not depend on the number of tasks.
+// Doors: paradt__faces_make, paradt__face_list_*, paradt__tally_*, struct paradt__face_list, struct
+// paradt__voronoi_tally.
+
+enum { PARADT__CHUNKS = PARADT__MOST_TASKS, PARADT__CHUNK_CELLS = 10000 };
+
+// A list of faces
+typedef struct paradt__face_list {
+    size_t count, capacity;
+    int d;
+    unsigned wants;      // PARADT_VORONOI_* bits
+    paradt_index *sides; // [capacity][2]
+    double *areas;       // [capacity]
+    double *centroids;   // [capacity][d] NaN where there is none
+    double *normals;     // [capacity][d]
+    paradt_index *cell;  // [capacity] of faces that nothing clips: the first cell around the edge,
+    unsigned char *edge; // ... and which of its edges
+    paradt__memory *memory;
+} paradt__face_list;
+
+static void paradt__face_list_begin(paradt__face_list *list, int d, unsigned wants, paradt__memory *memory) {
+    memset(list, 0, sizeof *list);
+    list->d = d;
+    list->wants = wants;
+    list->memory = memory;
+}
+
+static void paradt__face_list_free(paradt__face_list *list) {
+    paradt__release(list->memory, list->sides);
+    paradt__release(list->memory, list->areas);
+    paradt__release(list->memory, list->centroids);
+    paradt__release(list->memory, list->normals);
+    paradt__release(list->memory, list->cell);
+    paradt__release(list->memory, list->edge);
+    paradt__face_list_begin(list, list->d, list->wants, list->memory);
+}
+
+static int paradt__face_list_grow_one(paradt__face_list *list, void *array_of, size_t capacity, size_t size) {
+    void *array;
+    memcpy(&array, array_of, sizeof array);
+    if (!paradt__grow(list->memory, &array, list->count, capacity, size)) return 0;
+    memcpy(array_of, &array, sizeof array);
+    return 1;
+}
+
+// Makes room for `more` faces.
+PARADT__NOINLINE paradt_status paradt__face_list_grow(paradt__face_list *list, size_t more) {
+    const unsigned normals = list->wants & PARADT_VORONOI_NORMALS, rings = list->wants & PARADT_VORONOI_POLYGONS;
+    size_t capacity = list->count + more, vector = (size_t)list->d * sizeof(double);
+    if (capacity < list->capacity + list->capacity / 2) capacity = list->capacity + list->capacity / 2;
+    if (!paradt__face_list_grow_one(list, &list->sides, capacity, 2 * sizeof *list->sides)) return PARADT_ERROR_MEMORY;
+    if (list->wants & PARADT_VORONOI_AREAS && !paradt__face_list_grow_one(list, &list->areas, capacity, sizeof(double)))
+        return PARADT_ERROR_MEMORY;
+    if (normals && (!paradt__face_list_grow_one(list, &list->centroids, capacity, vector) ||
+                    !paradt__face_list_grow_one(list, &list->normals, capacity, vector)))
+        return PARADT_ERROR_MEMORY;
+    if (rings && (!paradt__face_list_grow_one(list, &list->cell, capacity, sizeof *list->cell) ||
+                  !paradt__face_list_grow_one(list, &list->edge, capacity, 1)))
+        return PARADT_ERROR_MEMORY;
+    list->capacity = capacity;
+    return PARADT_OK;
+}
+
+PARADT__INLINE paradt_status paradt__face_list_room(paradt__face_list *list, size_t more) {
+    return PARADT__LIKELY(list->count + more <= list->capacity) ? PARADT_OK : paradt__face_list_grow(list, more);
+}
+
+// What is summed up for each point: its cell's volume, the volume's error, and with `moments` the integral of y
+typedef struct paradt__voronoi_tally {
+    int width;    // 2, or 2 + d with moments
+    double *sums; // [points][width]
+} paradt__voronoi_tally;
+
+PARADT__INLINE double *paradt__tally_of(const paradt__voronoi_tally *tally, paradt_index point) {
+    return tally->sums + (size_t)point * (size_t)tally->width;
+}
+
+// Adds the sums of a chunk to the total, and clears them.
+static void paradt__tally_join(const paradt__voronoi_tally *total, const paradt__voronoi_tally *part, size_t points) {
+    size_t i, count = points * (size_t)total->width;
+    for (i = 0; i < count && total->sums; i++) {
+        total->sums[i] += part->sums[i];
+        part->sums[i] = 0;
+    }
+}
+
+// --- a ring around an edge
+
+// For each edge of a cell: the places of p and q, and of the two other vertices, so that the order is even
+static const unsigned char paradt__ring_edges[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
+                                                       {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
+
+// The mark of an edge by the places of the two vertices that are not on it
+static const unsigned char paradt__ring_marks[4][4] = {{0, 32, 16, 8}, {32, 0, 4, 2}, {16, 4, 0, 1}, {8, 2, 1, 0}};
+
+typedef struct paradt__ring {
+    double area[3];   // twice the area as a vector along the edge
+    double moment[3]; // the sum over the fan's triangles of what they add to `along`, times the sum of two corners
+    double along;     // the sum of the triangles' areas, in the direction of the normal
+    double size, error;
+    int corners, changes; // changes: how many times neighbours certainly differ
+} paradt__ring;
+
+// Walks around an edge, from a cell to itself, and marks the edge at all cells of the chunk. Returns 0 if one of the
+// cells comes before the first cell of the walk. moments: are they wanted?
+PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *done, size_t begin, size_t end,
+                                     paradt_index cell, int edge, const double *normal, paradt__ring *ring,
+                                     int moments) {
+    const unsigned char *places = paradt__ring_edges[edge];
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
+    const double *first = paradt__row_centre(row, 3), *last = first, *next;
+    paradt_index at = cell, kept = row[places[3]], handle;
+    int cross = places[2], j;
+    double a[3] = {0}, b[3], area[3] = {0}, moment[3] = {0}, along = 0, size = 0, error = first[3];
+    int corners = 0, changes = 0;
+    do {
+        handle = row[4 + cross];
+        at = handle >> 2;
+        row = paradt__row_vertices(g, (size_t)at, PARADT__ROW_BYTES(3));
+        cross = paradt__given_place(row, kept, 4);
+        kept = row[handle & 3];
+        if (at < cell) return 0;
+        if ((size_t)at < end) done[at] |= paradt__ring_marks[cross & 3][handle & 3];
+        next = paradt__row_centre(row, 3);
+        changes += paradt__centres_differ(last, next, 3);
+        corners++;
+        b[0] = next[0] - first[0], b[1] = next[1] - first[1], b[2] = next[2] - first[2];
+        error = paradt__larger(error, next[3]);
+        {
+            double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+            area[0] += x, area[1] += y, area[2] += z;
+            if (moments) {
+                double part = x * normal[0] + y * normal[1] + z * normal[2];
+                along += part;
+                moment[0] += part * (a[0] + b[0]);
+                moment[1] += part * (a[1] + b[1]);
+                moment[2] += part * (a[2] + b[2]);
+            }
+        }
+        size = paradt__larger(paradt__larger(size, paradt__abs(b[0])),
+                              paradt__larger(paradt__abs(b[1]), paradt__abs(b[2])));
+        a[0] = b[0], a[1] = b[1], a[2] = b[2];
+        last = next;
+    } while (at != cell);
+    (void)begin;
+    for (j = 0; j < 3; j++) ring->area[j] = area[j], ring->moment[j] = moment[j];
+    ring->along = along;
+    ring->size = size;
+    ring->error = error;
+    ring->corners = corners;
+    ring->changes = changes;
+    return 1;
+}
+
+// How many different vertices has the polygon around an edge? Up to three are counted.
+PARADT__NOINLINE int paradt__ring_changes(const paradt__diagram *g, paradt__space *space, paradt_index cell, int edge) {
+    const unsigned char *places = paradt__ring_edges[edge];
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3)), *last;
+    paradt_index at = cell, kept = row[places[3]], handle;
+    int cross = places[2], changes = 0;
+    do {
+        handle = row[4 + cross];
+        last = row;
+        row = paradt__row_vertices(g, (size_t)(handle >> 2), PARADT__ROW_BYTES(3));
+        if (paradt__centres_differ(paradt__row_centre(last, 3), paradt__row_centre(row, 3), 3) ||
+            !paradt__centres_agree(g, space, (size_t)at, cross))
+            changes++;
+        at = handle >> 2;
+        cross = paradt__given_place(row, kept, 4);
+        kept = row[handle & 3];
+    } while (at != cell && changes < 3);
+    return changes;
+}
+
+// --- faces of a chunk
+
+typedef struct paradt__facing {
+    paradt__diagram *g;
+    const paradt__team *team;
+    unsigned wants;
+    size_t chunks;
+    unsigned char *done;                         // [cells] marks of edges
+    paradt__voronoi_tally tally[PARADT__CHUNKS]; // of chunks; of one task alone only the first is there
+    paradt__voronoi_tally total;
+    paradt__face_list *list;                   // [chunks]
+    paradt__memory memory[PARADT__MOST_TASKS]; // of tasks
+    paradt__space space[PARADT__MOST_TASKS];
+    paradt_status status[PARADT__MOST_TASKS];
+} paradt__facing;
+
+// Appends a face between two points, for which there is room. measure: of the face, times |a|
+PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index p, paradt_index q, double measure,
+                                          const double *a, double length, const double *centroid, int d) {
+    size_t at = list->count++;
+    int j;
+    list->sides[2 * at] = p;
+    list->sides[2 * at + 1] = q;
+    if (list->wants & PARADT_VORONOI_AREAS) list->areas[at] = measure / length;
+    if (!(list->wants & PARADT_VORONOI_NORMALS)) return;
+    for (j = 0; j < d; j++) {
+        list->normals[at * (size_t)d + (size_t)j] = a[j] / length;
+        list->centroids[at * (size_t)d + (size_t)j] = centroid[j];
+    }
+}
+
+// Adds a face to the cells of p and q. normal: q - p; measure: of the face, times |normal|, which errs by `error`;
+// where: the face's centroid
+PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const paradt__voronoi_tally *tally, paradt_index p,
+                                       paradt_index q, const double *normal, double measure, double error,
+                                       const double *where, int d) {
+    const paradt__diagram *g = facing->g;
+    const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    double square = 0, size, part;
+    int side, j;
+    PARADT__UNROLL
+    for (j = 0; j < d; j++) square += normal[j] * normal[j];
+    part = 1 / (2 * d * square);
+    PARADT__UNROLL
+    for (side = 0; side < 2; side++) { // (h |normal|) (A |normal|) / (d |normal|^2)
+        double *sums = paradt__tally_of(tally, side ? q : p), offset = square, volume;
+        size = square;
+        if (g->weighted) {
+            offset = square + (side ? to[d] - from[d] : from[d] - to[d]);
+            size = square + (paradt__abs(from[d]) + paradt__abs(to[d]));
+        }
+        volume = offset * measure * part;
+        sums[0] += volume;
+        sums[1] += (paradt__abs(offset) * error + 32 * PARADT__ROUNDOFF * size * paradt__abs(measure)) * part * 1.01;
+        if (tally->width == 2) continue;
+        for (j = 0; j < d; j++) sums[2 + j] += volume * ((double)d / (d + 1)) * (where[j] - (side ? to[j] : from[j]));
+    }
+}
+
+// Measures the face around an edge of a cell in space, and adds it to what it belongs to.
+PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, paradt__voronoi_tally *tally,
+                                                   paradt__face_list *list, paradt__space *space, size_t begin,
+                                                   size_t end, paradt_index cell, int edge, int moments) {
+    const paradt__diagram *g = facing->g;
+    const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
+    paradt_index p = vertices[paradt__ring_edges[edge][0]], q = vertices[paradt__ring_edges[edge][1]];
+    const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    const double *first = paradt__row_centre(vertices, 3);
+    double normal[3], where[3] = {0}, measure, step, error;
+    paradt__ring ring;
+    int j, turns;
+    for (j = 0; j < 3; j++) normal[j] = to[j] - from[j];
+    if (!paradt__ring_walk(g, facing->done, begin, end, cell, edge, normal, &ring, moments)) return PARADT_OK;
+    if (ring.changes < 3 && paradt__ring_changes(g, space, cell, edge) < 3) return PARADT_OK;
+    turns = ring.corners - 2;
+    measure = 0.5 * (ring.area[0] * normal[0] + ring.area[1] * normal[1] + ring.area[2] * normal[2]);
+    step = 2 * ring.error + PARADT__ROUNDOFF * ring.size;
+    error =
+        turns * (4 * ring.size * step + 2 * step * step + (16 + 2 * turns) * PARADT__ROUNDOFF * ring.size * ring.size) +
+        g->tiny;
+    error *= 0.5 * (paradt__abs(normal[0]) + paradt__abs(normal[1]) + paradt__abs(normal[2]));
+    for (j = 0; j < 3 && moments; j++) where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
+    if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 3);
+    if (!list) return PARADT_OK;
+    if (list->wants & PARADT_VORONOI_POLYGONS) {
+        list->cell[list->count] = cell;
+        list->edge[list->count] = (unsigned char)edge;
+    }
+    paradt__face_list_add(list, p, q, measure, normal,
+                          list->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)
+                              ? sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
+                              : 1,
+                          where, 3);
+    return PARADT_OK;
+}
+
+// Fetches the rows of the neighbours of a cell, and of theirs for a cell whose neighbours have been fetched.
+PARADT__INLINE void paradt__ring_fetch(const paradt__diagram *g, size_t cell, size_t sooner) {
+    const size_t bytes = PARADT__ROW_BYTES(3);
+    const paradt_index *row;
+    int i, j;
+    if (cell >= g->cells) return;
+    row = paradt__row_vertices(g, cell, bytes) + 4;
+    for (i = 0; i < 4; i++) PARADT__FETCH(g->rows, (size_t)(row[i] < 0 ? 0 : row[i] >> 2) * bytes);
+    row = paradt__row_vertices(g, sooner, bytes) + 4;
+    for (i = 0; i < 4; i++) {
+        const paradt_index *next = paradt__row_vertices(g, (size_t)(row[i] < 0 ? 0 : row[i] >> 2), bytes) + 4;
+        for (j = 0; j < 4; j++) PARADT__FETCH(g->rows, (size_t)(next[j] < 0 ? 0 : next[j] >> 2) * bytes);
+    }
+}
+
+PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, paradt__voronoi_tally *tally,
+                                                    paradt__face_list *list, size_t task, size_t begin, size_t end,
+                                                    int moments) {
+    enum { ROWS_AHEAD = 24, NEXT_AHEAD = 12 };
+    const paradt__diagram *g = facing->g;
+    size_t cell;
+    int edge;
+    for (cell = begin; cell < end; cell++) {
+        const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
+        unsigned inner = 0, todo = 63u & ~(unsigned)facing->done[cell];
+        paradt__ring_fetch(g, cell + ROWS_AHEAD, cell + NEXT_AHEAD);
+        if (cell % PARADT__DIAGRAM_PACE == 0 &&
+            paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
+            return PARADT_ERROR_CANCELLED;
+        if (!todo) continue;
+        for (edge = 0; edge < 4; edge++) inner |= (unsigned)!(g->kind[vertices[edge]] & PARADT__CELL_CLIPPED) << edge;
+        if (list) {
+            paradt_status status = paradt__face_list_room(list, 6);
+            if (status) return status;
+        }
+        for (edge = 0; edge < 6; edge++) {
+            const unsigned char *places = paradt__ring_edges[edge];
+            if (!(todo >> edge & 1) || !((inner >> places[0] | inner >> places[1]) & 1)) continue;
+            paradt__face_in_space(facing, tally, list, &facing->space[task], begin, end, (paradt_index)cell, edge,
+                                  moments);
+        }
+    }
+    return PARADT_OK;
+}
+
+// The same in the plane, where a face is the segment between the centres of two neighbours.
+PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, paradt__voronoi_tally *tally,
+                                                    paradt__face_list *list, size_t task, size_t begin, size_t end) {
+    const paradt__diagram *g = facing->g;
+    size_t cell;
+    int i, j;
+    for (cell = begin; cell < end; cell++) {
+        const paradt_index *vertices = paradt__row_vertices(g, cell, PARADT__ROW_BYTES(2));
+        const double *first = paradt__row_centre(vertices, 2);
+        if (cell % PARADT__DIAGRAM_PACE == 0 &&
+            paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
+            return PARADT_ERROR_CANCELLED;
+        if (list) {
+            paradt_status status = paradt__face_list_room(list, 3);
+            if (status) return status;
+        }
+        for (i = 0; i < 3; i++) {
+            paradt_index p = vertices[(i + 1) % 3], q = vertices[(i + 2) % 3], link = vertices[3 + i];
+            size_t other = (size_t)link / 3;
+            const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+            const double *second;
+            double normal[2], along[2], where[2], measure, size, error;
+            if (link < 0 || other < cell || g->kind[p] & g->kind[q] & PARADT__CELL_CLIPPED) continue;
+            second = paradt__centre_of(g, (paradt_index)other, 2);
+            if (!paradt__centres_differ(first, second, 2) && paradt__centres_agree(g, &facing->space[task], cell, i))
+                continue;
+            for (j = 0; j < 2; j++) {
+                normal[j] = to[j] - from[j];
+                along[j] = first[j] - second[j];
+                where[j] = second[j] + 0.5 * along[j];
+            }
+            size = paradt__larger(paradt__abs(along[0]), paradt__abs(along[1]));
+            measure = normal[0] * along[1] - normal[1] * along[0];
+            error = (paradt__abs(normal[0]) + paradt__abs(normal[1])) *
+                    ((first[2] + second[2]) + 8 * PARADT__ROUNDOFF * size + g->tiny);
+            if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 2);
+            if (!list) continue;
+            if (list->wants & PARADT_VORONOI_POLYGONS) {
+                list->cell[list->count] = (paradt_index)cell;
+                list->edge[list->count] = (unsigned char)i;
+            }
+            paradt__face_list_add(list, p, q, measure, normal, sqrt(normal[0] * normal[0] + normal[1] * normal[1]),
+                                  where, 2);
+        }
+    }
+    return PARADT_OK;
+}
+
+PARADT__HOT void paradt__faces_task(void *context, size_t task) {
+    paradt__facing *facing = (paradt__facing *)context;
+    const paradt__diagram *g = facing->g;
+    size_t chunk, step = facing->team->tasks;
+    int moments = (facing->wants & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_NORMALS)) != 0;
+    paradt_status status = PARADT_OK;
+    for (chunk = task; chunk < facing->chunks && !status; chunk += step) {
+        size_t begin = g->cells / facing->chunks * chunk, slot = step == 1 ? 0 : chunk;
+        size_t end = chunk + 1 == facing->chunks ? g->cells : g->cells / facing->chunks * (chunk + 1);
+        paradt__voronoi_tally *tally = &facing->tally[slot];
+        paradt__face_list *list = facing->list ? &facing->list[slot] : NULL;
+        if (g->d == 2) status = paradt__faces_in_plane(facing, tally, list, task, begin, end);
+        else if (moments) status = paradt__faces_in_space(facing, tally, list, task, begin, end, 1);
+        else status = paradt__faces_in_space(facing, tally, list, task, begin, end, 0);
+        if (step == 1 && facing->chunks > 1) paradt__tally_join(&facing->total, tally, g->set.count);
+    }
+    facing->status[task] = status;
+}
+
+// Moves the faces of a list behind those of another.
+static paradt_status paradt__face_list_join(paradt__face_list *list, const paradt__face_list *more) {
+    size_t d = (size_t)list->d, at = list->count, count = more->count;
+    paradt_status status = paradt__face_list_room(list, count);
+    if (status || !count) return status;
+    memcpy(list->sides + 2 * at, more->sides, 2 * count * sizeof *more->sides);
+    if (list->wants & PARADT_VORONOI_AREAS) memcpy(list->areas + at, more->areas, count * sizeof(double));
+    if (list->wants & PARADT_VORONOI_NORMALS) {
+        memcpy(list->centroids + at * d, more->centroids, count * d * sizeof(double));
+        memcpy(list->normals + at * d, more->normals, count * d * sizeof(double));
+    }
+    if (list->wants & PARADT_VORONOI_POLYGONS) {
+        memcpy(list->cell + at, more->cell, count * sizeof *more->cell);
+        memcpy(list->edge + at, more->edge, count);
+    }
+    list->count += count;
+    return PARADT_OK;
+}
+
+// Ends the tasks: what they have summed up and listed comes together in order.
+static paradt_status paradt__faces_end(paradt__facing *facing, paradt__voronoi_tally *total, paradt__face_list *list,
+                                       size_t slots) {
+    paradt__diagram *g = facing->g;
+    uint64_t peaks = 0;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    for (i = 0; i < facing->team->tasks && !status; i++) status = facing->status[i];
+    for (i = 0; i < slots && facing->chunks > 1; i++) {
+        if (!status && slots > 1) paradt__tally_join(total, &facing->tally[i], g->set.count);
+        paradt__release(g->memory, facing->tally[i].sums);
+    }
+    for (i = 0; i < facing->team->tasks; i++) paradt__memory_join(g->memory, &facing->memory[i], &peaks);
+    for (i = 0; i < slots && facing->list; i++) {
+        facing->list[i].memory = g->memory;
+        if (!status && !i) {
+            *list = facing->list[0];
+            continue;
+        }
+        if (!status) status = paradt__face_list_join(list, &facing->list[i]);
+        paradt__face_list_free(&facing->list[i]);
+    }
+    return status;
+}
+
+// The number of edges of a triangulation of a ball, by Euler's formula; only a guess where something is wrong with it
+static size_t paradt__edges_expected(const paradt__diagram *g) {
+    return g->set.count + g->cells + g->hull / 2;
+}
+
+// Measures all faces of which one of the cells is not clipped.
+//   total  what the cells have of them is added; sums NULL: not wanted
+//   list   NULL, or a list that gets them, empty at first
+static paradt_status paradt__faces_make(paradt__diagram *g, const paradt__team *team, unsigned wants,
+                                        paradt__voronoi_tally *total, paradt__face_list *list) {
+    paradt__facing facing;
+    paradt__face_list lists[PARADT__CHUNKS];
+    size_t i, slots, bytes = g->set.count * (size_t)total->width * sizeof(double);
+    paradt_status status = PARADT_OK;
+    memset(&facing, 0, sizeof facing);
+    facing.g = g;
+    facing.team = team;
+    facing.wants = wants;
+    facing.chunks = g->cells < PARADT__CHUNK_CELLS ? 1 : PARADT__CHUNKS;
+    slots = team->tasks == 1 ? 1 : facing.chunks;
+    facing.list = list ? lists : NULL;
+    facing.total = *total;
+    facing.done = (unsigned char *)paradt__alloc(g->memory, g->cells, 1);
+    if (!facing.done) return PARADT_ERROR_MEMORY;
+    memset(facing.done, 0, g->cells);
+    for (i = 0; i < slots; i++) {
+        facing.tally[i] = *total;
+        if (facing.chunks > 1) facing.tally[i].sums = NULL;
+        if (facing.chunks > 1 && total->sums && !status) {
+            facing.tally[i].sums = (double *)paradt__alloc(g->memory, bytes, 1);
+            if (facing.tally[i].sums) memset(facing.tally[i].sums, 0, bytes);
+            else status = PARADT_ERROR_MEMORY;
+        }
+    }
+    for (i = 0; i < team->tasks; i++) {
+        facing.space[i] = g->set.space;
+        facing.memory[i] = paradt__memory_fork(g->memory, team->tasks);
+    }
+    for (i = 0; i < slots; i++) paradt__face_list_begin(&lists[i], g->d, wants, &facing.memory[i % team->tasks]);
+    if (list && slots == 1 && !status) status = paradt__face_list_grow(&lists[0], paradt__edges_expected(g) + 8);
+    if (!status) paradt__team_run(team, paradt__faces_task, &facing);
+    else facing.status[0] = status;
+    status = paradt__faces_end(&facing, total, list, slots);
+    paradt__release(g->memory, facing.done);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>planes of a cell
+//
+// Where planes of the cell of a point p meet, and on which side of another plane, in integers: what floating point left
+// undecided. Let 2^u divide all coordinates and 2^2u all weights that matter. With a = 2^u A, |a|^2 + w_p - w_q = 2^2u
+// L and z = 2^(1 - u) y the plane between p and q is A . z = L. A wall's normal is 2^v B, where v is so small that 2^(u
+// + v - 1) divides o, and the wall is B . z = C with o - n . p = 2^(u + v - 1) C. A far wall of the normal B is B . z =
+// M.
+//
+// Let d planes meet in y, their normals positively oriented as rows. The determinant of their rows and another plane's,
+// each of a normal and an offset, is then positive if y is strictly inside of that plane, and 0 if it is on it. With
+// far walls the offsets of the others count as 0 first; if that determinant is 0, those of the far walls do. By
+// Cramer's rule y is 2^(u - 1) times a quotient of determinants. Doors: paradt__exact_above, paradt__exact_meet,
+// paradt__exact_free, struct paradt__exact_work.
+
+// Memory of a task for integers
+typedef struct paradt__exact_work {
+    paradt__memory *memory;
+    paradt__digit *digits;
+    paradt__wide *sum;
+    size_t digits_room, sum_room;
+    paradt_status status; // MEMORY: there was none, and what is returned means nothing
+} paradt__exact_work;
+
+static void paradt__exact_free(paradt__exact_work *work) {
+    paradt__release(work->memory, work->digits);
+    paradt__release(work->memory, work->sum);
+    work->digits = NULL;
+    work->sum = NULL;
+    work->digits_room = work->sum_room = 0;
+}
+
+// The rows of some planes of a cell
+typedef struct paradt__exact_rows {
+    const paradt__diagram *g;
+    const double *base; // p
+    int n;
+    const paradt__halfspace *plane[PARADT__MAX_ROWS];
+    int unit, bits;                  // 2^unit divides all coordinates; normals are below 2^bits
+    int offset_bits;                 // and offsets below 2^offset_bits
+    int wall_unit[PARADT__MAX_ROWS]; // v of a wall
+} paradt__exact_rows;
+
+PARADT__INLINE const paradt__voronoi_wall *paradt__exact_wall(const paradt__exact_rows *rows, int i) {
+    return rows->g->walls + (size_t)(-1 - rows->plane[i]->side);
+}
+
+// Begins rows: finds the units and how many bits numbers have.
+static void paradt__exact_begin(paradt__exact_rows *rows, const paradt__diagram *g, paradt_index p, int n,
+                                const paradt__halfspace *const *planes) {
+    paradt__range x = paradt__no_range, w = paradt__no_range;
+    int d = g->d, i, j, top;
+    rows->g = g;
+    rows->base = paradt__record(&g->set, p);
+    rows->n = n;
+    for (j = 0; j < d; j++) paradt__measure(&x, rows->base[j]);
+    if (g->weighted) paradt__measure(&w, rows->base[d]);
+    for (i = 0; i < n; i++) {
+        const double *q;
+        rows->plane[i] = planes[i];
+        if (planes[i]->side < 0) continue;
+        q = paradt__record(&g->set, planes[i]->side);
+        for (j = 0; j < d; j++) paradt__measure(&x, q[j]);
+        if (g->weighted) paradt__measure(&w, q[d]);
+    }
+    if (x.unit > x.top) x.unit = x.top = 0;
+    rows->unit = paradt__min(x.unit, (w.unit - (w.unit & 1)) / 2);
+    rows->bits = x.top + 1 - rows->unit;
+    top = x.top - rows->unit;
+    rows->offset_bits = paradt__max(2 * rows->bits + 4, w.top + 2 - 2 * rows->unit);
+    for (i = 0; i < n; i++) {
+        paradt__range normal = paradt__no_range, offset = paradt__no_range;
+        const paradt__voronoi_wall *wall;
+        int v;
+        if (planes[i]->side >= 0) continue;
+        wall = paradt__exact_wall(rows, i);
+        for (j = 0; j < d; j++) paradt__measure(&normal, wall->normal[j]);
+        if (!wall->distant) paradt__measure(&offset, wall->offset);
+        v = normal.unit;
+        if (offset.unit <= offset.top) v = paradt__min(v, offset.unit - rows->unit + 1);
+        rows->wall_unit[i] = v;
+        rows->bits = paradt__max(rows->bits, normal.top - v);
+        // o and the 2 d <= 16 products that make up 2 n . p
+        if (offset.unit <= offset.top) offset.top -= v + rows->unit - 1;
+        rows->offset_bits = paradt__max(rows->offset_bits, paradt__max(offset.top, normal.top - v + top + 5) + 1);
+    }
+}
+
+// --- numbers that fit
+
+// Fills small integers. Returns 0 if they do not fit.
+static int paradt__exact_small(const paradt__exact_rows *rows, paradt__fixed *f, int distant) {
+    const paradt__diagram *g = rows->g;
+    int d = g->d, i, j;
+    uint64_t lost = 0;
+    if (rows->bits > 58 || rows->offset_bits > PARADT__WIDE_BITS - 5) return 0;
+    for (i = 0; i < rows->n; i++) {
+        const paradt__halfspace *plane = rows->plane[i];
+        paradt__wide offset = 0;
+        if (plane->side >= 0) {
+            const double *q = paradt__record(&g->set, plane->side);
+            for (j = 0; j < d; j++) {
+                int64_t x = paradt__fix(q[j], rows->unit, &lost) - paradt__fix(rows->base[j], rows->unit, &lost);
+                f->x[i][j] = x;
+                offset += (paradt__wide)x * x;
+            }
+            for (j = 0; j < 2 && g->weighted; j++) { // + w_p - w_q
+                double weight = j ? q[d] : rows->base[d];
+                int shift;
+                paradt__wide m = (paradt__wide)paradt__mantissa(weight, 2 * rows->unit, &shift);
+                m *= (paradt__wide)1 << shift;
+                offset += (paradt__bits(weight) >> 63) == (uint64_t)j ? m : -m;
+            }
+            if (distant) offset = 0;
+        } else {
+            const paradt__voronoi_wall *wall = paradt__exact_wall(rows, i);
+            int shift, v = rows->wall_unit[i];
+            for (j = 0; j < d; j++) {
+                int64_t x = paradt__fix(wall->normal[j], v, &lost);
+                f->x[i][j] = x;
+                offset -= 2 * (paradt__wide)x * paradt__fix(rows->base[j], rows->unit, &lost);
+            }
+            if (!wall->distant) {
+                paradt__wide m = (paradt__wide)paradt__mantissa(wall->offset, v + rows->unit - 1, &shift);
+                m *= (paradt__wide)1 << shift;
+                offset += paradt__bits(wall->offset) >> 63 ? -m : m;
+            }
+            if (distant || wall->distant) offset = distant && wall->distant;
+        }
+        f->lift[i] = offset;
+    }
+    PARADT_ASSERT(!lost);
+    return 1;
+}
+
+// --- numbers of any length
+
+static int paradt__exact_room(paradt__exact_work *work, size_t digits, size_t sum) {
+    if (digits > work->digits_room) {
+        paradt__release(work->memory, work->digits);
+        work->digits_room = 0;
+        work->digits = (paradt__digit *)paradt__alloc(work->memory, digits, sizeof *work->digits);
+        if (!work->digits) return 0;
+        work->digits_room = digits;
+    }
+    if (sum > work->sum_room) {
+        paradt__release(work->memory, work->sum);
+        work->sum_room = 0;
+        work->sum = (paradt__wide *)paradt__alloc(work->memory, sum, sizeof *work->sum);
+        if (!work->sum) return 0;
+        work->sum_room = sum;
+    }
+    return 1;
+}
+
+// Writes an offset, a number of `count` digits. scratch: for two numbers of `digits` digits
+static void paradt__exact_offset(const paradt__exact_rows *rows, int i, int distant, paradt__digit *out, int count,
+                                 const paradt__digit *normal, int digits, paradt__digit *scratch, paradt__wide *sum) {
+    const paradt__diagram *g = rows->g;
+    const paradt__halfspace *plane = rows->plane[i];
+    int d = g->d, j, used = 8, is_far = plane->side < 0 && paradt__exact_wall(rows, i)->distant;
+    paradt__clear_any(sum, count);
+    if (distant || is_far) {
+        sum[0] = distant && is_far;
+    } else if (plane->side >= 0) {
+        for (j = 0; j < d; j++, normal += digits) {
+            paradt__make_room(sum, count, &used, digits);
+            paradt__multiply_add_any(sum, 1, normal, digits, normal, digits);
+        }
+        if (g->weighted)
+            paradt__add_difference(sum, 1, rows->base[d], paradt__record(&g->set, plane->side)[d], 2 * rows->unit);
+    } else {
+        const paradt__voronoi_wall *wall = paradt__exact_wall(rows, i);
+        paradt__wide *number = sum + count; // room for one number more
+        for (j = 0; j < d; j++, normal += digits) {
+            paradt__clear_any(number, digits);
+            paradt__add_difference(number, 1, rows->base[j], 0, rows->unit);
+            paradt__store_any(scratch, number, digits);
+            paradt__make_room(sum, count, &used, 2 * digits);
+            paradt__multiply_add_any(sum, -1, normal, digits, scratch, digits);
+            paradt__multiply_add_any(sum, -1, normal, digits, scratch, digits);
+        }
+        paradt__add_difference(sum, 1, wall->offset, 0, rows->wall_unit[i] + rows->unit - 1);
+    }
+    paradt__store_any(out, sum, count);
+}
+
+// The determinant of the rows. column: of a normal's columns, one is left out (-1: none); offsets: is there a column of
+// offsets? Its digits are in the work's memory from `at` on. Returns how many of that memory are taken, 0: there is
+// none.
+static size_t paradt__exact_determinant(paradt__exact_work *work, const paradt__exact_rows *rows, int left_out,
+                                        int offsets, int distant, size_t at, paradt__integer *out) {
+    const paradt__diagram *g = rows->g;
+    int d = g->d, i, j, columns = d - (left_out >= 0), n = rows->n, place;
+    paradt__determinant q = {0, 0, 0, 0, NULL, NULL};
+    paradt__layout y = {0, 0, 0, 0, 0, 0};
+    paradt__minors m;
+    const paradt__digit *made;
+    size_t row, needed, longest;
+    paradt__digit *normals, *out_rows, *numbers;
+    q.n = n, q.k = columns, q.d = columns;
+    y.bits = rows->bits;
+    y.digits = paradt__digit_count(y.bits);
+    y.lift_bits = rows->offset_bits;
+    y.lift_digits = paradt__digit_count(y.lift_bits);
+    PARADT_ASSERT(n == columns + offsets);
+    m.whole = &q, m.layout = &y, m.rows = NULL, m.first = 0;
+    row = (size_t)(columns * y.digits + offsets * y.lift_digits);
+    longest = (size_t)(paradt__minor_digits(&m, n) + y.lift_digits + 2 * y.digits + 8);
+    needed = at + longest + (size_t)n * row + (size_t)((d + 2) * y.digits) +
+             (size_t)(paradt__minors_space(&m, n, 0) + paradt__minors_space(&m, n, 1)) + 8;
+    if (at) { // what is there stays
+        if (needed > work->digits_room) return 0;
+    } else if (!paradt__exact_room(work, 4 * needed, 4 * longest)) {
+        work->status = PARADT_ERROR_MEMORY;
+        return 0;
+    }
+    out_rows = work->digits + at + longest;
+    normals = out_rows + (size_t)n * row;
+    numbers = normals + (size_t)((d + 2) * y.digits);
+    for (i = 0; i < n; i++) {
+        const paradt__halfspace *plane = rows->plane[i];
+        paradt__digit *to = out_rows + (size_t)i * row;
+        for (j = 0; j < d; j++) {
+            paradt__clear_any(work->sum, y.digits);
+            if (plane->side >= 0)
+                paradt__add_difference(work->sum, 1, paradt__record(&g->set, plane->side)[j], rows->base[j],
+                                       rows->unit);
+            else paradt__add_difference(work->sum, 1, paradt__exact_wall(rows, i)->normal[j], 0, rows->wall_unit[i]);
+            paradt__store_any(normals + j * y.digits, work->sum, y.digits);
+        }
+        for (j = 0, place = 0; j < d; j++) {
+            if (j == left_out) continue;
+            memcpy(to + place++ * y.digits, normals + j * y.digits, (size_t)y.digits * sizeof *to);
+        }
+        if (offsets)
+            paradt__exact_offset(rows, i, distant, to + columns * y.digits, y.lift_digits, normals, y.digits,
+                                 normals + d * y.digits, work->sum);
+    }
+    m.rows = out_rows;
+    made = paradt__determinant_digits(&m, numbers, work->sum, 1, &place);
+    memcpy(work->digits + at, made, (size_t)place * sizeof *made);
+    while (place > 1 && !work->digits[at + (size_t)place - 1]) place--;
+    out->digits = work->digits + at;
+    out->count = place;
+    return at + (size_t)place;
+}
+
+// --- signs and places
+
+// The sign of the determinant of d + 1 planes
+static int paradt__exact_sign(paradt__exact_work *work, const paradt__exact_rows *rows, int distant) {
+    int d = rows->g->d;
+    paradt__integer determinant;
+    if (d * rows->bits + rows->offset_bits + paradt__log_factorial[d + 1] <= PARADT__WIDE_BITS) {
+        paradt__fixed f;
+        if (paradt__exact_small(rows, &f, distant)) return paradt__small_sign(&f, d + 1, d, d <= 3);
+    }
+    if (!paradt__exact_determinant(work, rows, -1, 1, distant, 0, &determinant)) return 0;
+    return paradt__integer_sign(determinant);
+}
+
+// On which side of planes[d] do planes[0..d-1] meet, whose normals are positively oriented? 1: strictly outside, 0: on
+// it, -1: strictly inside. p: whose cell it is
+PARADT__COLD int paradt__exact_above(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
+                                     const paradt__halfspace *const *planes) {
+    paradt__exact_rows rows;
+    int i, distant = 0, sign = 0;
+    paradt__exact_begin(&rows, g, p, g->d + 1, planes);
+    for (i = 0; i <= g->d; i++) distant |= planes[i]->distant;
+    if (distant) sign = paradt__exact_sign(work, &rows, 1);
+    if (!sign) sign = paradt__exact_sign(work, &rows, 0);
+    return -sign;
+}
+
+// Finds where d planes meet. distant: of y = A + M B finds B. Fills y[d], each the double nearest to the true one: of y
+// in scaled coordinates, or with `absolute` of p + y as the caller counts. Fills y[d] with a bound of the error.
+PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__diagram *g, paradt_index p,
+                                     const paradt__halfspace *const *planes, int distant, int absolute, double *y) {
+    paradt__exact_rows rows;
+    paradt__integer determinant, numerator;
+    int d = g->d, j, digits;
+    size_t used, more;
+    double largest = 0;
+    paradt__exact_begin(&rows, g, p, d, planes);
+    digits = paradt__digit_count(rows.bits);
+    for (j = 0; j <= d; j++) y[j] = 0;
+    // the first call makes the room: of a numerator, which is longer than the determinant
+    if (!paradt__exact_determinant(work, &rows, d - 1, 1, distant, 0, &numerator)) return;
+    used = paradt__exact_determinant(work, &rows, -1, 0, distant, 0, &determinant);
+    if (!used || !paradt__integer_sign(determinant)) return;
+    for (j = 0; j < d; j++) {
+        paradt__quotient quotient;
+        more = paradt__exact_determinant(work, &rows, j, 1, distant, used, &numerator);
+        PARADT_ASSERT(more);
+        if (!more) return;
+        if ((d - 1 - j) & 1 || absolute) { // N_j, and 2^(1 - u) p_j times the determinant
+            const paradt__digit one = 1;
+            paradt__digit *base = work->digits + more, *sum = base + digits;
+            int length = paradt__max(numerator.count, determinant.count + digits) + 2, used_up = 8;
+            paradt__clear_any(work->sum, digits);
+            paradt__add_difference(work->sum, 1, rows.base[j], 0, rows.unit);
+            paradt__store_any(base, work->sum, digits);
+            paradt__clear_any(work->sum, length);
+            paradt__multiply_add_any(work->sum, (d - 1 - j) & 1 ? -1 : 1, &one, 1, numerator.digits, numerator.count);
+            for (int twice = 0; twice < 2 && absolute; twice++) {
+                paradt__make_room(work->sum, length, &used_up, digits);
+                paradt__multiply_add_any(work->sum, 1, base, digits, determinant.digits, determinant.count);
+            }
+            paradt__store_any(sum, work->sum, length);
+            while (length > 1 && !sum[length - 1]) length--;
+            numerator.digits = sum;
+            numerator.count = length;
+            more += (size_t)(digits + length + 2);
+        }
+        quotient.a = numerator;
+        quotient.b = determinant;
+        quotient.a_sign = paradt__integer_sign(numerator);
+        quotient.b_sign = paradt__integer_sign(determinant);
+        quotient.exponent = distant ? 0 : rows.unit - 1 - (absolute ? 0 : g->shift);
+        quotient.work = work->digits + more;
+        quotient.sum = work->sum;
+        y[j] = quotient.a_sign ? paradt__quotient_round(&quotient) : 0;
+        largest = paradt__larger(largest, paradt__abs(y[j]));
+    }
+    y[d] = PARADT__ROUNDOFF * largest + paradt__power(-1022);
+    if (!(largest < paradt__power(1000))) y[d] = HUGE_VAL;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>clipped cell
+//
+// The cell of a point p as the intersection of half-spaces, in any dimension: it begins as the box, which may have far
+// walls, and is clipped by planes one after another. The boundary's dual is a mesh: a vertex of the cell is a cell of
+// the mesh, with the numbers of the d planes that it is on, and links along the d edges that it is on, which leave one
+// plane each. Clipping is insertion into that mesh: the vertices outside of the plane are a cavity, and the plane is
+// joined with its rim (>>insertion).
+//
+// Only signs decide, exact ones. Each plane is thought to be shifted outward by an infinitesimal distance that is
+// overwhelmingly larger than those of all planes before it. So a vertex on a new plane is inside of it, every vertex is
+// on d planes, and no sign needs a rule for ties. What this adds to the true cell has no size: vertices that coincide,
+// and faces without a measure, which are told from others exactly in the end. Of planes that coincide the first one
+// counts. The normals of a vertex's planes, in the order of its row, are positively oriented throughout.
+//
+// The idea of a cell as planes with vertices that are triples of them is B. Levy's (Geogram's ConvexCell; Ray, Sokolov,
+// Lefebvre, Levy: Meshless Voronoi on the GPU, ACM Transactions on Graphics 37, 2018).
+// Doors: paradt__convex_*, struct paradt__convex.
+
+typedef struct paradt__convex {
+    const paradt__diagram *g;
+    paradt_index p;
+    int d;
+    paradt__insertion build;   // its mesh is the boundary's dual; rim and update are those of the last plane
+    paradt__halfspace *planes; // [plane_capacity]
+    size_t plane_count, plane_capacity;
+    double *places;         // [place_capacity][2 (d + 1)] of vertices: A and its error, B and its error
+    unsigned char *distant; // [place_capacity] 1: the vertex is on a far wall, and B is there
+    size_t place_capacity;
+    paradt__exact_work exact;
+    int empty; // nothing is left
+    int tied;  // a vertex has been on a plane that clipped, or did not
+    // made by paradt__convex_settle
+    int merged, unbounded, flat; // some vertices coincide; some are far; the cell has no measure
+    paradt_index *same;          // [place_capacity] of vertices that coincide: one of them
+    paradt_index *entry;         // [plane_capacity] the handle of a plane at a vertex; -1: it is at none
+    unsigned char *real;         // [plane_capacity] the face on the plane has a measure
+    size_t same_capacity, entry_capacity;
+    paradt_index *local; // [local_capacity] a table: cells of the triangulation, 4 times the vertex, and the place of p
+    size_t local_capacity;
+    paradt__memory *memory;
+} paradt__convex;
+
+static void paradt__convex_begin(paradt__convex *c, const paradt__diagram *g, paradt__memory *memory) {
+    memset(c, 0, sizeof *c);
+    c->g = g;
+    c->d = g->d;
+    c->memory = c->build.memory = c->exact.memory = memory;
+    paradt__mesh_begin(&c->build.scene.mesh, g->d, 1);
+}
+
+static void paradt__convex_free(paradt__convex *c) {
+    paradt__mesh_free(&c->build.scene.mesh, c->memory);
+    paradt__release(c->memory, c->build.rim);
+    paradt__release(c->memory, c->build.update.killed);
+    paradt__release(c->memory, c->build.update.made);
+    paradt__release(c->memory, c->planes);
+    paradt__release(c->memory, c->places);
+    paradt__release(c->memory, c->distant);
+    paradt__release(c->memory, c->same);
+    paradt__release(c->memory, c->entry);
+    paradt__release(c->memory, c->real);
+    paradt__release(c->memory, c->local);
+    paradt__exact_free(&c->exact);
+}
+
+PARADT__INLINE double *paradt__convex_place(const paradt__convex *c, size_t vertex) {
+    return c->places + vertex * 2 * (size_t)(c->d + 1);
+}
+
+// The plane with number `i` of those that a vertex is on
+PARADT__INLINE const paradt__halfspace *paradt__convex_plane(const paradt__convex *c, size_t vertex, int i) {
+    return c->planes + c->build.scene.mesh.vertices[vertex * (size_t)c->d + (size_t)i];
+}
+
+// Makes room for `count` vertices.
+static paradt_status paradt__convex_room(paradt__convex *c, size_t count) {
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt_status status = PARADT_OK;
+    void *places = c->places, *distant = c->distant;
+    size_t capacity, used = mesh->count, row = 2 * (size_t)(c->d + 1) * sizeof(double);
+    if (count > mesh->capacity) status = paradt__mesh_reserve(mesh, count, count + count / 2 + 64, c->memory);
+    if (status || mesh->capacity <= c->place_capacity) return status;
+    capacity = mesh->capacity;
+    if (used > c->place_capacity) used = c->place_capacity;
+    if (!paradt__grow(c->memory, &places, used, capacity, row)) return PARADT_ERROR_MEMORY;
+    c->places = (double *)places;
+    if (!paradt__grow(c->memory, &distant, used, capacity, 1)) return PARADT_ERROR_MEMORY;
+    c->distant = (unsigned char *)distant;
+    c->place_capacity = capacity;
+    return PARADT_OK;
+}
+
+static paradt_status paradt__convex_plane_room(paradt__convex *c) {
+    void *planes = c->planes;
+    size_t capacity = c->plane_capacity * 2 + 64;
+    if (c->plane_count < c->plane_capacity) return PARADT_OK;
+    if (!paradt__grow(c->memory, &planes, c->plane_count, capacity, sizeof *c->planes)) return PARADT_ERROR_MEMORY;
+    c->planes = (paradt__halfspace *)planes;
+    c->plane_capacity = capacity;
+    return PARADT_OK;
+}
+
+// Finds where a vertex is.
+PARADT__INLINE void paradt__convex_find(paradt__convex *c, size_t vertex, int d) {
+    const paradt__halfspace *h[PARADT_MAX_DIM];
+    double *y = paradt__convex_place(c, vertex);
+    int i, distant = 0;
+    for (i = 0; i < d; i++) {
+        h[i] = paradt__convex_plane(c, vertex, i);
+        distant |= h[i]->distant;
+    }
+    c->distant[vertex] = (unsigned char)distant;
+    if (!paradt__diagram_meet(c->g, h, d, 0, y)) paradt__exact_meet(&c->exact, c->g, c->p, h, 0, 0, y);
+    if (distant && !paradt__diagram_meet(c->g, h, d, 1, y + d + 1))
+        paradt__exact_meet(&c->exact, c->g, c->p, h, 1, 0, y + d + 1);
+}
+
+// Is a vertex outside of a plane? 1, 0: on it, -1: inside
+PARADT__INLINE int paradt__convex_above(paradt__convex *c, size_t vertex, const paradt__halfspace *plane, int d) {
+    const double *y = paradt__convex_place(c, vertex);
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    int i, sign = c->distant[vertex] ? paradt__diagram_above(c->g, plane, y + d + 1, d, 1)
+                                     : paradt__diagram_above(c->g, plane, y, d, 0);
+    if (PARADT__LIKELY(sign != PARADT__UNDECIDED)) return sign;
+    for (i = 0; i < d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[d] = plane;
+    return paradt__exact_above(&c->exact, c->g, c->p, h);
+}
+
+// Begins the cell of p: the box.
+static paradt_status paradt__convex_reset(paradt__convex *c, paradt_index p) {
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    int d = c->d, i, j;
+    size_t corner, corners = (size_t)1 << d;
+    paradt_status status = PARADT_OK;
+    mesh->count = mesh->spare_count = 0;
+    c->p = p;
+    c->plane_count = 0;
+    c->empty = c->tied = 0;
+    for (i = 0; i < 2 * d && !status; i++) {
+        status = paradt__convex_plane_room(c);
+        if (!status) paradt__diagram_wall(c->g, p, (size_t)i, &c->planes[c->plane_count++]);
+    }
+    if (!status) status = paradt__convex_room(c, corners);
+    if (status) return status;
+    mesh->count = corners;
+    memset(mesh->marks, 0, corners);
+    for (corner = 0; corner < corners; corner++) {
+        paradt_index *vertices = mesh->vertices + corner * (size_t)d, *links = mesh->links + corner * (size_t)d;
+        int axes[PARADT_MAX_DIM], negative = 0;
+        // the walls of axis axes[j] come to place j: wall j of the box is along the caller's axis j
+        for (j = 0; j < d; j++) {
+            axes[j] = j;
+            negative ^= !(corner >> j & 1);
+        }
+        negative ^= c->g->odd;
+        if (negative) axes[0] = 1, axes[1] = 0;
+        for (j = 0; j < d; j++) {
+            int upper = (int)(corner >> axes[j] & 1);
+            paradt_index other = (paradt_index)(corner ^ (size_t)1 << axes[j]);
+            vertices[j] = axes[j] + (upper ? d : 0);
+            // a neighbour has the other sign, so that its first two places are exchanged
+            links[j] = other * d + (axes[j] < 2 ? negative ? axes[j] : 1 - axes[j] : axes[j]);
+        }
+    }
+    for (corner = 0; corner < corners; corner++) paradt__convex_find(c, corner, d);
+    return c->exact.status;
+}
+
+// Begins the cell of p, which is bounded, as nothing clips it: from the cells of the triangulation around p, in space
+// or in the plane. number: [points] scratch; at those that stamp[point] == mark has found, the numbers of their planes
+PARADT__INLINE paradt_status paradt__convex_star(paradt__convex *c, paradt_index p, const paradt_index *around,
+                                                 size_t count, paradt_index *stamp, paradt_index *number,
+                                                 paradt_index mark, int d) {
+    // the places of a cell's other vertices, so that with p before them the order is even
+    static const unsigned char order[2][4][3] = {{{1, 2, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 0}},
+                                                 {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    const paradt__diagram *g = c->g;
+    const double *base = paradt__diagram_point(g, p);
+    paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t i, mask = 63;
+    int j;
+    paradt_status status = paradt__convex_room(c, count);
+    c->p = p;
+    c->plane_count = 0;
+    c->empty = c->tied = 0;
+    while (mask < 2 * count) mask = 2 * mask + 1;
+    if (!status && c->local_capacity < 2 * (mask + 1)) {
+        paradt__release(c->memory, c->local);
+        c->local_capacity = 0;
+        c->local = (paradt_index *)paradt__alloc(c->memory, 2 * (mask + 1), sizeof *c->local);
+        if (c->local) c->local_capacity = 2 * (mask + 1);
+        else status = PARADT_ERROR_MEMORY;
+    }
+    if (status) return status;
+    mesh->spare_count = 0;
+    mesh->count = count;
+    memset(mesh->marks, 0, count);
+    memset(c->distant, 0, count);
+    memset(c->local, -1, 2 * (mask + 1) * sizeof *c->local);
+    for (i = 0; i < count; i++) { // numbers, planes, places
+        const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
+        const double *centre = paradt__row_centre(row, d);
+        const unsigned char *places;
+        double *y = paradt__convex_place(c, i), largest = 0;
+        size_t slot = (size_t)around[i] * 0x9E3779B1u & mask;
+        for (j = 0; row[j] != p; j++) {
+        }
+        places = order[d - 2][j];
+        while (c->local[2 * slot] >= 0) slot = (slot + 1) & mask;
+        c->local[2 * slot] = around[i];
+        c->local[2 * slot + 1] = (paradt_index)i * 4 + j;
+        for (j = 0; j < d; j++) {
+            paradt_index q = row[places[j]];
+            if (stamp[q] != mark) {
+                status = paradt__convex_plane_room(c);
+                if (status) return status;
+                stamp[q] = mark;
+                number[q] = (paradt_index)c->plane_count;
+                paradt__diagram_bisector(g, p, q, &c->planes[c->plane_count++], d);
+            }
+            mesh->vertices[i * (size_t)d + (size_t)j] = number[q];
+            y[j] = centre[j] - base[j];
+            largest = paradt__larger(largest, paradt__abs(y[j]));
+        }
+        y[d] = (centre[d] + PARADT__ROUNDOFF * largest) * (1 + 4 * PARADT__ROUNDOFF);
+    }
+    for (i = 0; i < count; i++) { // links
+        const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
+        const unsigned char *places;
+        for (j = 0; row[j] != p; j++) {
+        }
+        places = order[d - 2][j];
+        for (j = 0; j < d; j++) {
+            paradt_index link = row[d + 1 + places[j]], other = link / (d + 1), found;
+            int apex = (int)(link - other * (d + 1)), to = 0;
+            size_t slot = (size_t)other * 0x9E3779B1u & mask;
+            while (c->local[2 * slot] != other) slot = (slot + 1) & mask;
+            found = c->local[2 * slot + 1];
+            while (order[d - 2][found & 3][to] != apex) to++;
+            mesh->links[i * (size_t)d + (size_t)j] = (found >> 2) * d + to;
+        }
+    }
+    return PARADT_OK;
+}
+
+// Digs the cavity: lists the vertices outside of the plane, and the rim. Returns how many are inside.
+PARADT__INLINE paradt_status paradt__convex_dig(paradt__convex *c, const paradt__halfspace *plane, size_t *inside,
+                                                int d) {
+    paradt__insertion *build = &c->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t vertex, i;
+    int j, above;
+    paradt_status status = paradt__list_room(&update->killed, 0, &update->killed_capacity, mesh->count, c->memory);
+    if (!status) status = paradt__list_room(&build->rim, 0, &build->rim_capacity, mesh->count * (size_t)d, c->memory);
+    if (status) return status;
+    update->killed_count = build->rim_count = 0;
+    *inside = 0;
+    for (vertex = 0; vertex < mesh->count; vertex++) {
+        if (mesh->vertices[vertex * (size_t)d] == PARADT__DEAD) continue;
+        above = paradt__convex_above(c, vertex, plane, d);
+        c->tied |= !above;
+        if (above > 0) {
+            mesh->marks[vertex] |= PARADT__CONFLICT;
+            update->killed[update->killed_count++] = (paradt_index)vertex * d;
+        } else {
+            ++*inside;
+        }
+    }
+    for (i = 0; i < update->killed_count; i++) {
+        for (j = 0; j < d; j++) {
+            paradt_index link = mesh->links[update->killed[i] + j];
+            if (!(mesh->marks[link / d] & PARADT__CONFLICT)) build->rim[build->rim_count++] = update->killed[i] + j;
+        }
+    }
+    return c->exact.status;
+}
+
+PARADT__INLINE paradt_status paradt__convex_clip_any(paradt__convex *c, int d) {
+    paradt__insertion *build = &c->build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt_index number = (paradt_index)c->plane_count;
+    size_t inside, i;
+    paradt_status status = paradt__convex_dig(c, c->planes + number, &inside, d);
+    if (status) return status;
+    if (!inside) c->empty = 1;
+    if (c->empty || !build->update.killed_count) return PARADT_OK;
+    c->plane_count++;
+    status = paradt__convex_room(c, mesh->count + build->rim_count);
+    if (!status)
+        status = paradt__list_room(&build->update.made, 0, &build->update.made_capacity, build->rim_count, c->memory);
+    if (status) return status;
+    paradt__cavity_fill(build, number, d);
+    paradt__cavity_join(build, d);
+    status = paradt__mesh_spare_room(mesh, build->update.killed_count, c->memory);
+    if (status) return status;
+    for (i = 0; i < build->update.killed_count; i++) {
+        size_t vertex = (size_t)(build->update.killed[i] / d);
+        mesh->marks[vertex] = 0;
+        paradt__mesh_give(mesh, (paradt_index)vertex, (size_t)d);
+    }
+    for (i = 0; i < build->update.made_count; i++) {
+        size_t vertex = (size_t)(build->update.made[i] / d);
+        mesh->marks[vertex] = 0;
+        paradt__convex_find(c, vertex, d);
+    }
+    return c->exact.status;
+}
+
+// Clips the cell by planes[plane_count], which has been made there.
+static paradt_status paradt__convex_clip(paradt__convex *c) {
+    if (c->empty) return PARADT_OK;
+    switch (c->d) {
+    case 2: return paradt__convex_clip_any(c, 2);
+#if PARADT_MAX_DIM > 2
+    case 3: return paradt__convex_clip_any(c, 3);
+#endif
+    default: return paradt__convex_clip_any(c, c->d);
+    }
+}
+
+// Clips the cell by the plane between p and q.
+static paradt_status paradt__convex_clip_by_point(paradt__convex *c, paradt_index q) {
+    paradt_status status = paradt__convex_plane_room(c);
+    if (status) return status;
+    paradt__diagram_bisector(c->g, c->p, q, &c->planes[c->plane_count], c->d);
+    return paradt__convex_clip(c);
+}
+
+static paradt_status paradt__convex_clip_by_wall(paradt__convex *c, size_t wall) {
+    paradt_status status = paradt__convex_plane_room(c);
+    if (status) return status;
+    paradt__diagram_wall(c->g, c->p, wall, &c->planes[c->plane_count]);
+    return paradt__convex_clip(c);
+}
+
+// Do a vertex and its neighbour along an edge coincide?
+static int paradt__convex_coincide(paradt__convex *c, size_t vertex, int place) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, link = (size_t)mesh->links[vertex * d + (size_t)place], other = link / d;
+    const double *a = paradt__convex_place(c, vertex), *b = paradt__convex_place(c, other);
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    int i;
+    if (c->distant[vertex] != c->distant[other]) return 0;
+    if (c->distant[vertex] ? paradt__centres_differ(a + d + 1, b + d + 1, c->d) : paradt__centres_differ(a, b, c->d))
+        return 0;
+    for (i = 0; i < c->d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[d] = c->planes + mesh->vertices[link];
+    return !paradt__exact_above(&c->exact, c->g, c->p, h);
+}
+
+// --- what is there in truth
+
+// The next vertex around a face in space or in the plane, counterclockwise seen from outside. handle: of the face's
+// plane at a vertex; returned is that at the next
+PARADT__INLINE paradt_index paradt__convex_next(const paradt__convex *c, paradt_index handle, int d) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt_index place = handle % d, first = handle - place, plane = mesh->vertices[handle], other, i;
+    other = mesh->links[first + (place + 1) % d];
+    first = other - other % d;
+    for (i = 0; i < d - 1; i++) {
+        if (mesh->vertices[first + i] == plane) break;
+    }
+    return first + i;
+}
+
+static paradt_index paradt__convex_root(paradt_index *same, paradt_index vertex) {
+    while (same[vertex] != vertex) vertex = same[vertex] = same[same[vertex]];
+    return vertex;
+}
+
+// Finds which vertices coincide.
+static paradt_status paradt__convex_merge(paradt__convex *c) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, vertex, i;
+    c->merged = 0;
+    for (vertex = 0; vertex < mesh->count; vertex++) c->same[vertex] = (paradt_index)vertex;
+    for (vertex = 0; vertex < mesh->count; vertex++) {
+        if (mesh->vertices[vertex * d] == PARADT__DEAD) continue;
+        for (i = 0; i < d; i++) {
+            paradt_index other = mesh->links[vertex * d + i] / c->d, a, b;
+            if ((size_t)other < vertex || !paradt__convex_coincide(c, vertex, (int)i)) continue;
+            a = paradt__convex_root(c->same, (paradt_index)vertex);
+            b = paradt__convex_root(c->same, other);
+            if (a < b) c->same[b] = a;
+            else c->same[a] = b;
+            c->merged = 1;
+        }
+    }
+    for (vertex = 0; vertex < mesh->count && c->merged; vertex++)
+        c->same[vertex] = paradt__convex_root(c->same, (paradt_index)vertex);
+    return c->exact.status;
+}
+
+// Has the face of a handle a measure, in space or in the plane? Its different vertices are corners of a convex polygon.
+// *all: are these all of the cell's, of which there are `different`?
+static int paradt__convex_few_real(const paradt__convex *c, paradt_index entry, size_t different, int *all) {
+    paradt_index at = entry, next;
+    size_t changes = 0;
+    do {
+        next = paradt__convex_next(c, at, c->d);
+        changes += c->same[at / c->d] != c->same[next / c->d];
+        at = next;
+    } while (at != entry && c->d > 2);
+    if (c->d == 2) changes *= 2; // there and back
+    *all = changes == different;
+    return changes > (size_t)(c->d > 2 ? 2 : 0);
+}
+
+// Do two planes of a cell that have a place in common coincide? That is, are the points that they separate p from in a
+// line with it?
+static int paradt__convex_planes_coincide(const paradt__convex *c, const paradt__halfspace *a,
+                                          const paradt__halfspace *b) {
+    const double *p[3];
+    int i, j, k;
+    if (a->side < 0 || b->side < 0) return 0; // of these the later one would not be there
+    p[0] = paradt__record(&c->g->set, c->p);
+    p[1] = paradt__record(&c->g->set, a->side);
+    p[2] = paradt__record(&c->g->set, b->side);
+    for (i = 1; i < c->d; i++) {
+        for (j = 0; j < i; j++) {
+            double x[3][2];
+            const double *q[3];
+            for (k = 0; k < 3; k++) {
+                x[k][0] = p[k][j], x[k][1] = p[k][i];
+                q[k] = x[k];
+            }
+            if (paradt_orient(2, q)) return 0;
+        }
+    }
+    return 1;
+}
+
+// The same in higher dimensions, for all faces. Where the different vertices of a face have a second plane in common,
+// which is not the same, it is less than a face.
+static paradt_status paradt__convex_many_real(paradt__convex *c) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, rows = mesh->count * d, i, j, plane, count;
+    paradt__keyed *tight; // which planes are at which of the different vertices
+    size_t *first, *seen;
+    tight = (paradt__keyed *)paradt__alloc(c->memory, 2 * rows + 2, sizeof *tight);
+    first = (size_t *)paradt__alloc(c->memory, mesh->count + 1, sizeof *first);
+    seen = (size_t *)paradt__alloc(c->memory, c->plane_count, sizeof *seen);
+    if (!tight || !first || !seen) {
+        paradt__release(c->memory, tight);
+        paradt__release(c->memory, first);
+        paradt__release(c->memory, seen);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = count = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * d] == PARADT__DEAD) continue;
+        for (j = 0; j < d; j++) {
+            tight[count].key = (uint64_t)c->same[i] << 32 | (uint64_t)mesh->vertices[i * d + j];
+            tight[count++].item = mesh->vertices[i * d + j];
+        }
+    }
+    paradt__keyed_sort(tight, tight + rows, count, 64, 0);
+    for (i = j = 0; i < count; i++) // each plane once
+        if (!i || tight[i].key != tight[i - 1].key) tight[j++] = tight[i];
+    count = j;
+    memset(first, 0, (mesh->count + 1) * sizeof *first);
+    for (i = 0; i < count; i++) first[(tight[i].key >> 32) + 1]++;
+    for (i = 0; i < mesh->count; i++) first[i + 1] += first[i];
+    for (plane = 0; plane < c->plane_count; plane++) {
+        size_t vertices = 0, shared = 0;
+        if (c->entry[plane] < 0) continue;
+        memset(seen, 0, c->plane_count * sizeof *seen);
+        for (i = 0; i < mesh->count; i++) {
+            int on = 0;
+            for (j = first[i]; j < first[i + 1]; j++) on |= (size_t)tight[j].item == plane;
+            if (!on) continue;
+            vertices++;
+            for (j = first[i]; j < first[i + 1]; j++) seen[tight[j].item]++;
+        }
+        for (i = 0; i < c->plane_count; i++) {
+            if (i == plane || seen[i] != vertices) continue;
+            if (paradt__convex_planes_coincide(c, c->planes + i, c->planes + plane)) c->flat = 1;
+            else shared++;
+        }
+        c->real[plane] = !shared;
+    }
+    paradt__release(c->memory, tight);
+    paradt__release(c->memory, first);
+    paradt__release(c->memory, seen);
+    return PARADT_OK;
+}
+
+static paradt_status paradt__convex_settle_room(paradt__convex *c) {
+    size_t vertices = c->place_capacity, planes = c->plane_capacity;
+    if (vertices > c->same_capacity) {
+        paradt__release(c->memory, c->same);
+        c->same_capacity = 0;
+        c->same = (paradt_index *)paradt__alloc(c->memory, vertices, sizeof *c->same);
+        if (!c->same) return PARADT_ERROR_MEMORY;
+        c->same_capacity = vertices;
+    }
+    if (planes <= c->entry_capacity) return PARADT_OK;
+    paradt__release(c->memory, c->entry);
+    paradt__release(c->memory, c->real);
+    c->entry_capacity = 0;
+    c->real = NULL;
+    c->entry = (paradt_index *)paradt__alloc(c->memory, planes, sizeof *c->entry);
+    if (c->entry) c->real = (unsigned char *)paradt__alloc(c->memory, planes, 1);
+    if (!c->real) return PARADT_ERROR_MEMORY;
+    c->entry_capacity = planes;
+    return PARADT_OK;
+}
+
+// Ends clipping: finds what of the cell is there without the infinitesimal shifts.
+static paradt_status paradt__convex_settle(paradt__convex *c) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, i, plane, different = 0, real = 0;
+    int walled = 0, all;
+    paradt_status status = paradt__convex_settle_room(c);
+    c->unbounded = c->flat = c->merged = 0;
+    if (status || c->empty) return status;
+    for (i = 0; i < c->plane_count; i++) c->entry[i] = -1;
+    for (i = 0; i < mesh->count * d; i++) {
+        // in the plane a face begins where it is the second of the planes
+        if (mesh->vertices[i / d * d] != PARADT__DEAD && (d > 2 || i & 1))
+            c->entry[mesh->vertices[i]] = (paradt_index)i;
+    }
+    status = paradt__convex_merge(c);
+    if (status) return status;
+    for (i = 0; i < mesh->count; i++) {
+        if (mesh->vertices[i * d] == PARADT__DEAD) continue;
+        different += c->same[i] == (paradt_index)i;
+        c->unbounded |= c->distant[i];
+    }
+    for (plane = 0; plane < c->plane_count; plane++) c->real[plane] = c->entry[plane] >= 0;
+    if (!c->merged) return PARADT_OK;
+    if (d > 3) status = paradt__convex_many_real(c);
+    for (plane = 0; plane < c->plane_count && !status; plane++) {
+        if (c->entry[plane] < 0) continue;
+        if (d <= 3) {
+            c->real[plane] = (unsigned char)paradt__convex_few_real(c, c->entry[plane], different, &all);
+            if (c->real[plane] && all) c->flat = 1;
+        }
+        real += c->real[plane];
+        walled |= c->real[plane] && c->planes[plane].side < 0;
+    }
+    c->flat |= !real;
+    // A cell that is nothing but a part of a wall is none, and its faces are that wall's. One that has no measure
+    // because a point lies between two others, in the sense of the power, stays between their cells.
+    if (c->flat && walled) c->empty = 1;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>measures of a clipped cell
+//
+// Volumes, and in space and in the plane centroids and the measures of faces. All simplices that are summed up have one
+// vertex of the cell in common and do not overlap, so that nothing cancels. Errors are bounded as in >>Voronoi faces:
+// by those of the vertices and those of the arithmetic.
+//
+// In higher dimensions a face of any dimension is divided from its first vertex into cones over those of its facets
+// that do not have that vertex, and these likewise (H. L. Cohen and T. Hickey, Two algorithms for determining volumes
+// of convex polyhedra, J. ACM 26, 1979). A vertex is on d planes, so the faces of a face are found by the planes that
+// its vertices are on. Determinants grow by a row at each step, by minors; with each goes the sum of its monomials'
+// sizes, and a bound of what the errors of entries contribute.
+// Doors: paradt__convex_measure, paradt__convex_measure_face, struct paradt__convex_sums.
+
+typedef struct paradt__convex_sums {
+    double volume, error;
+    double moment[PARADT_MAX_DIM]; // the integral of y
+} paradt__convex_sums;
+
+// A face's measure and centroid
+typedef struct paradt__convex_face {
+    double measure, centroid[PARADT_MAX_DIM]; // relative to p; the measure is infinite where the face is unbounded
+    double cone, error;                       // twice or six times the volume of the cone over it, and its error
+    double moment[3];
+} paradt__convex_face;
+
+// Measures a face of a cell in space or in the plane, and the cone from `apex` over it, in multiples of d!.
+static void paradt__convex_measure_face(const paradt__convex *c, paradt_index plane, const double *apex,
+                                        paradt__convex_face *face) {
+    const paradt__halfspace *h = c->planes + plane;
+    const int d = c->d;
+    paradt_index entry = c->entry[plane], at = entry;
+    const double *first = paradt__convex_place(c, (size_t)(entry / d));
+    double a[3] = {0}, b[3] = {0}, o[3] = {0}, area[3] = {0}, sum[3] = {0}, along = 0, square = 0, size = 0, error = 0;
+    double arm = 0, step, parts;
+    int j, corners = 0, distant = 0;
+    for (j = 0; j < d; j++) {
+        o[j] = first[j] - apex[j];
+        arm = paradt__larger(arm, paradt__abs(o[j]));
+        square += h->normal[j] * h->normal[j];
+        face->moment[j] = 0;
+    }
+    face->cone = face->error = 0;
+    do {
+        const double *place = paradt__convex_place(c, (size_t)(at / d));
+        double cross[3] = {0}, part, cone;
+        distant |= c->distant[at / d];
+        for (j = 0; j < d; j++) {
+            b[j] = place[j] - first[j];
+            size = paradt__larger(size, paradt__abs(b[j]));
+        }
+        error = paradt__larger(error, place[d]);
+        if (d == 2) {
+            cone = o[0] * b[1] - o[1] * b[0];
+            part = h->normal[0] * b[1] - h->normal[1] * b[0];
+        } else {
+            cross[0] = a[1] * b[2] - a[2] * b[1];
+            cross[1] = a[2] * b[0] - a[0] * b[2];
+            cross[2] = a[0] * b[1] - a[1] * b[0];
+            part = cross[0] * h->normal[0] + cross[1] * h->normal[1] + cross[2] * h->normal[2];
+            cone = cross[0] * o[0] + cross[1] * o[1] + cross[2] * o[2];
+        }
+        face->cone += cone;
+        along += part;
+        for (j = 0; j < d; j++) {
+            area[j] += cross[j];
+            sum[j] += part * (a[j] + b[j]);
+            face->moment[j] += cone * (apex[j] + (d + 0.0) * first[j] + a[j] + b[j]);
+            a[j] = b[j];
+        }
+        corners++;
+        at = paradt__convex_next(c, at, d);
+    } while (at != entry);
+    error = paradt__larger(error, apex[d]);
+    step = 2 * error + PARADT__ROUNDOFF * size;
+    parts = corners; // one of the turns is empty
+    if (d == 2) {
+        // the turn comes back to the first vertex, and its part is 0 in the end
+        face->error = 2 * (arm * step + size * (2 * error + PARADT__ROUNDOFF * arm) + step * (2 * error) +
+                           6 * PARADT__ROUNDOFF * arm * size);
+    } else {
+        double turn = parts * (4 * size * step + 2 * step * step + (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
+        face->error = 3 * (arm + 2 * error) * turn + 6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
+    }
+    face->measure = distant ? HUGE_VAL : paradt__abs(along) / (d == 2 ? sqrt(square) : 2 * sqrt(square));
+    for (j = 0; j < d; j++) {
+        double fan = along > 0 || along < 0 ? sum[j] / ((d == 2 ? 2 : 3) * along) : 0;
+        face->centroid[j] = distant ? NAN : first[j] + fan;
+    }
+}
+
+// --- higher dimensions
+
+// The state of the division of a cell
+typedef struct paradt__pulling {
+    const paradt__convex *c;
+    int d;
+    paradt_index *list; // lists of vertices of faces, one behind the other
+    size_t list_room;
+    paradt_index *count;  // [d][planes] scratch of each depth: vertices of each facet
+    const double *origin; // the first vertex
+    double entry_error;   // of the difference of two vertices
+    double minor[PARADT_MAX_DIM + 1][PARADT__MINORS], size[PARADT_MAX_DIM + 1][PARADT__MINORS],
+        slope[PARADT_MAX_DIM + 1][PARADT__MINORS]; // of so many rows, by the set of columns
+    double volume, error;
+    size_t simplices;
+    paradt__memory *memory;
+    paradt_status status;
+} paradt__pulling;
+
+// Adds the row to a vertex: makes the minors of `rows` + 1 rows.
+static void paradt__pulling_row(paradt__pulling *pull, int rows, paradt_index vertex) {
+    const double *place = paradt__convex_place(pull->c, (size_t)vertex);
+    const int d = pull->d;
+    double x[PARADT_MAX_DIM];
+    unsigned mask = (1u << (rows + 1)) - 1, rest;
+    int j;
+    for (j = 0; j < d; j++) x[j] = place[j] - pull->origin[j];
+    for (; mask < 1u << d; mask = paradt__next_subset(mask)) {
+        double sum = 0, size = 0, slope = 0;
+        for (rest = mask; rest; rest &= rest - 1) {
+            unsigned bit = rest & (0 - rest), without = mask ^ bit;
+            double entry = x[paradt__trailing_zeros(rest)];
+            sum = entry * pull->minor[rows][without] - sum;
+            size += paradt__abs(entry) * pull->size[rows][without];
+            slope += paradt__abs(entry) * pull->slope[rows][without] +
+                     pull->entry_error * (pull->size[rows][without] + pull->slope[rows][without]);
+        }
+        pull->minor[rows + 1][mask] = sum;
+        pull->size[rows + 1][mask] = size;
+        pull->slope[rows + 1][mask] = slope;
+    }
+}
+
+// Divides a face of the dimension d - depth: the vertices list[begin, end), and the planes that all of them are on.
+// Vertices that coincide are each other's: of a face only one of them would do, but the others add nothing.
+static void paradt__pulling_face(paradt__pulling *pull, int depth, size_t begin, size_t end, paradt_index *on) {
+    const paradt__mesh *mesh = &pull->c->build.scene.mesh;
+    const int d = pull->d;
+    paradt_index apex = pull->list[begin], *count, plane;
+    size_t i, planes = pull->c->plane_count;
+    int j;
+    if (depth) paradt__pulling_row(pull, depth - 1, apex);
+    if (depth == d) {
+        const unsigned all = (1u << d) - 1;
+        pull->volume += paradt__abs(pull->minor[d][all]);
+        pull->error += paradt__minors_factor(d) * pull->size[d][all] + pull->slope[d][all];
+        pull->simplices++;
+        return;
+    }
+    if (end + (end - begin) > pull->list_room) {
+        void *list = pull->list;
+        if (!paradt__grow(pull->memory, &list, end, 2 * end + 64, sizeof *pull->list)) {
+            pull->status = PARADT_ERROR_MEMORY;
+            return;
+        }
+        pull->list = (paradt_index *)list;
+        pull->list_room = 2 * end + 64;
+    }
+    count = pull->count + (size_t)depth * planes;
+    memset(count, 0, planes * sizeof *count);
+    for (i = begin; i < end; i++) {
+        const paradt_index *row = mesh->vertices + (size_t)pull->list[i] * (size_t)d;
+        for (j = 0; j < d; j++) count[row[j]]++;
+    }
+    for (j = 0; j < depth; j++) count[on[j]] = 0;
+    for (j = 0; j < d; j++) count[mesh->vertices[(size_t)apex * (size_t)d + (size_t)j]] = 0;
+    for (plane = 0; plane < (paradt_index)planes && !pull->status; plane++) {
+        size_t to = end;
+        if (!count[plane]) continue;
+        for (i = begin; i < end; i++) {
+            const paradt_index *row = mesh->vertices + (size_t)pull->list[i] * (size_t)d;
+            for (j = 0; j < d && row[j] != plane; j++) {
+            }
+            if (j < d) pull->list[to++] = pull->list[i];
+        }
+        on[depth] = plane;
+        paradt__pulling_face(pull, depth + 1, end, to, on);
+    }
+}
+
+// The volume of a bounded cell in higher dimensions
+static paradt_status paradt__convex_pull(const paradt__convex *c, paradt__memory *memory, paradt__convex_sums *sums) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t d = (size_t)c->d, i, count = 0;
+    paradt_index on[PARADT_MAX_DIM];
+    double error = 0, size = 0, factorial = 1;
+    int j;
+    paradt_status status;
+    paradt__pulling *pull = (paradt__pulling *)paradt__alloc(memory, 1, sizeof *pull);
+    if (!pull) return PARADT_ERROR_MEMORY;
+    memset(pull, 0, sizeof *pull);
+    pull->c = c;
+    pull->d = c->d;
+    pull->memory = memory;
+    pull->list_room = 4 * mesh->count;
+    pull->list = (paradt_index *)paradt__alloc(memory, pull->list_room, sizeof *pull->list);
+    pull->count = (paradt_index *)paradt__alloc(memory, d * c->plane_count, sizeof *pull->count);
+    if (!pull->list || !pull->count) pull->status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < mesh->count && !pull->status; i++) {
+        const double *place = paradt__convex_place(c, i);
+        if (mesh->vertices[i * d] == PARADT__DEAD) continue;
+        if (!count) pull->origin = place;
+        pull->list[count++] = (paradt_index)i;
+        error = paradt__larger(error, place[d]);
+        for (j = 0; j < c->d; j++) size = paradt__larger(size, paradt__abs(place[j] - pull->origin[j]));
+    }
+    if (!pull->status) {
+        pull->entry_error = 2 * error + PARADT__ROUNDOFF * size;
+        pull->minor[0][0] = pull->size[0][0] = 1;
+        paradt__pulling_face(pull, 0, 0, count, on);
+        for (j = 2; j <= c->d; j++) factorial *= j;
+        sums->volume = pull->volume / factorial;
+        sums->error = pull->error / factorial * (1 + 1e-6) +
+                      ((double)pull->simplices + 4) * PARADT__ROUNDOFF * sums->volume + c->g->tiny;
+    }
+    status = pull->status;
+    paradt__release(memory, pull->list);
+    paradt__release(memory, pull->count);
+    paradt__release(memory, pull);
+    return status;
+}
+
+// Measures a bounded cell that is settled and not empty.
+static paradt_status paradt__convex_measure(const paradt__convex *c, paradt__convex_sums *sums) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    const double *apex;
+    size_t vertex = 0, plane;
+    int d = c->d, j;
+    const double factorial = d == 2 ? 2 : 6;
+    memset(sums, 0, sizeof *sums);
+    if (c->flat) return PARADT_OK;
+    if (d > 3) return paradt__convex_pull(c, c->memory, sums);
+    while (mesh->vertices[vertex * (size_t)d] == PARADT__DEAD) vertex++;
+    apex = paradt__convex_place(c, vertex);
+    for (plane = 0; plane < c->plane_count; plane++) {
+        paradt__convex_face face;
+        if (c->entry[plane] < 0) continue;
+        for (j = 0; j < d && (size_t)mesh->vertices[vertex * (size_t)d + (size_t)j] != plane; j++) {
+        }
+        if (j < d) continue; // the apex is on it
+        paradt__convex_measure_face(c, (paradt_index)plane, apex, &face);
+        sums->volume += face.cone;
+        sums->error += face.error + PARADT__ROUNDOFF * (double)c->plane_count * paradt__abs(face.cone);
+        for (j = 0; j < d; j++) sums->moment[j] += face.moment[j];
+    }
+    sums->volume /= factorial;
+    sums->error = sums->error / factorial * 1.01 + 4 * PARADT__ROUNDOFF * paradt__abs(sums->volume) + c->g->tiny;
+    for (j = 0; j < d; j++) sums->moment[j] /= factorial * (d + 1);
+    return PARADT_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>clipping
+//
+// The cells that may be unbounded or leave the walls, one by one: each is clipped by all planes of the request and by
+// the planes between its point and that point's neighbours in the triangulation, and measured. A face between two such
+// cells is listed for the smaller index. Tasks have ranges of points, and what they list comes together in order.
+//
+// Corners of faces are vertices of the diagram, named by a cell of the triangulation, or others, where a wall clips:
+// these have exact coordinates, rounded once, by which other cells' corners are found to be the same.
+// Doors: paradt__clip_all, struct paradt__corner_list, paradt__corner_list_free, paradt__corner_list_same.
+
+enum { PARADT__EDGE_CLIPPED = 255 }; // instead of an edge's number: the face's corners are in a list
+
+// Corners of clipped faces. Each face has their number, and then the corners: a cell of the triangulation, -1 for what
+// is at infinity, or -2 - i for the i-th of the list's places
+typedef struct paradt__corner_list {
+    paradt__list corners;
+    double *places;       // [place_capacity][d] as the caller counts, along the set's axes
+    paradt_index *planes; // [place_capacity][1 + d] a point, and the sides of planes of its cell that meet there
+    size_t place_count, place_capacity;
+} paradt__corner_list;
+
+static void paradt__corner_list_free(paradt__corner_list *list, paradt__memory *memory) {
+    paradt__list_free(&list->corners, memory);
+    paradt__release(memory, list->places);
+    paradt__release(memory, list->planes);
+    memset(list, 0, sizeof *list);
+}
+
+// Makes room for `more` places.
+static paradt_status paradt__corner_list_grow(paradt__corner_list *list, size_t more, int d, paradt__memory *memory) {
+    void *places = list->places, *planes = list->planes;
+    size_t capacity = 2 * list->place_capacity, row = (size_t)d * sizeof(double);
+    if (capacity < list->place_count + more) capacity = list->place_count + more;
+    if (!paradt__grow(memory, &places, list->place_count, capacity, row)) return PARADT_ERROR_MEMORY;
+    list->places = (double *)places;
+    row = (size_t)(d + 1) * sizeof(paradt_index);
+    if (!paradt__grow(memory, &planes, list->place_count, capacity, row)) return PARADT_ERROR_MEMORY;
+    list->planes = (paradt_index *)planes;
+    list->place_capacity = capacity;
+    return PARADT_OK;
+}
+
+typedef struct paradt__clipping {
+    paradt__diagram *g;
+    const paradt__team *team;
+    unsigned wants;
+    size_t point_count;
+    paradt_index *points;        // [point_count] those whose cells are clipped, ascending
+    size_t *first;               // [point_count + 1] where the cells of the triangulation around each begin,
+    paradt_index *around;        // in this list
+    paradt__voronoi_tally tally; // what is found replaces what is there; sums NULL: not wanted
+    unsigned char *unbounded;
+    paradt__face_list *lists; // [tasks]; NULL: faces are not wanted
+    paradt__corner_list corners[PARADT__MOST_TASKS];
+    paradt__memory memory[PARADT__MOST_TASKS];
+    paradt_status status[PARADT__MOST_TASKS];
+} paradt__clipping;
+
+// --- one cell
+
+// What a task works with
+typedef struct paradt__clipper {
+    paradt__clipping *clipping;
+    paradt__convex cell;
+    paradt_index *stamp;  // [points] of the last of the task's points whose neighbour it was found to be: a mark
+    paradt_index *number; // [points] scratch of paradt__convex_star
+    paradt_index *names;  // [names_capacity] of the cell's vertices, by the one that those that coincide have
+    size_t names_capacity;
+    size_t task, at; // at: of the points
+    paradt__memory *memory;
+} paradt__clipper;
+
+// Clips a bounded cell by the walls. Returns in *done whether that was all: where a vertex is on a wall, walls have to
+// come first, so that of planes that coincide the wall counts.
+static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    size_t first = clipping->first[clipper->at], count = clipping->first[clipper->at + 1] - first, wall;
+    paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 1;
+    const paradt_index *around = clipping->around + first;
+    paradt_status status = g->d == 2
+                               ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
+                               : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
+    for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++)
+        if (!g->walls[wall].distant) status = paradt__convex_clip_by_wall(c, wall);
+    *done = !c->tied;
+    return !status && *done ? paradt__convex_settle(c) : status;
+}
+
+// Clips the cell of a point by all that may clip it.
+static paradt_status paradt__clip_cell(paradt__clipper *clipper) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 2;
+    size_t corners = (size_t)g->k + 1, wall, i, j;
+    paradt_status status = PARADT_OK;
+    int done = 0;
+    if (g->centred && !(g->kind[p] & PARADT__CELL_HULL) && !g->nothing) status = paradt__clip_star(clipper, &done);
+    if (status || done) return status;
+    status = paradt__convex_reset(c, p);
+    if (g->nothing) c->empty = 1;
+    for (wall = 2 * (size_t)g->d; wall < g->wall_count && !status; wall++)
+        status = paradt__convex_clip_by_wall(c, wall);
+    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && !status && !c->empty; i++) {
+        const paradt_index *row = paradt__row_vertices(g, (size_t)clipping->around[i], g->row_bytes);
+        for (j = 0; j < corners && !status; j++) {
+            if (row[j] == p || clipper->stamp[row[j]] == mark) continue;
+            clipper->stamp[row[j]] = mark;
+            status = paradt__convex_clip_by_point(c, row[j]);
+        }
+    }
+    return status ? status : paradt__convex_settle(c);
+}
+
+// Is a vertex that is not far the centre of a cell of the triangulation?
+static int paradt__clip_is_centre(paradt__convex *c, size_t vertex, paradt_index cell) {
+    const paradt__diagram *g = c->g;
+    const double *y = paradt__convex_place(c, vertex), *centre = paradt__centre_of(g, cell, g->d);
+    const double *base = paradt__diagram_point(g, c->p);
+    const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    paradt__halfspace plane;
+    int i, j;
+    for (j = 0; j < g->d; j++) {
+        double x = base[j] + y[j], error = (y[g->d] + centre[g->d]) * 1.01 + 2 * PARADT__ROUNDOFF * paradt__abs(x);
+        if (paradt__abs(x - centre[j]) > error) return 0;
+    }
+    for (i = 0; i < g->d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[g->d] = &plane;
+    for (i = 0; i <= g->d; i++) {
+        if (row[i] == c->p) continue;
+        for (j = 0; j < g->d && h[j]->side != row[i]; j++) {
+        }
+        if (j < g->d) continue;
+        paradt__diagram_bisector(g, c->p, row[i], &plane, g->d);
+        if (paradt__exact_above(&c->exact, g, c->p, h)) return 0;
+    }
+    return 1;
+}
+
+// Names a vertex of the cell.
+static paradt_status paradt__clip_name(paradt__clipper *clipper, size_t vertex, paradt_index *name) {
+    paradt__clipping *clipping = clipper->clipping;
+    paradt__corner_list *list = &clipping->corners[clipper->task];
+    paradt__convex *c = &clipper->cell;
+    const paradt__diagram *g = clipping->g;
+    const paradt__halfspace *h[PARADT_MAX_DIM];
+    double y[PARADT_MAX_DIM + 1];
+    size_t i;
+    *name = -1;
+    if (c->distant[vertex]) return PARADT_OK;
+    for (i = clipping->first[clipper->at]; i < clipping->first[clipper->at + 1] && g->centred; i++) {
+        if (!paradt__clip_is_centre(c, vertex, clipping->around[i])) continue;
+        *name = clipping->around[i];
+        return c->exact.status;
+    }
+    if (list->place_count == list->place_capacity) {
+        paradt_status status = paradt__corner_list_grow(list, 64, g->d, clipper->memory);
+        if (status) return status;
+    }
+    list->planes[list->place_count * (size_t)(g->d + 1)] = c->p;
+    for (i = 0; i < (size_t)g->d; i++) {
+        h[i] = paradt__convex_plane(c, vertex, (int)i);
+        list->planes[list->place_count * (size_t)(g->d + 1) + 1 + i] = h[i]->side;
+    }
+    paradt__exact_meet(&c->exact, g, c->p, h, 0, 1, y);
+    for (i = 0; i < (size_t)g->d; i++) list->places[list->place_count * (size_t)g->d + i] = y[i] + 0.0;
+    *name = -2 - (paradt_index)list->place_count++;
+    return c->exact.status;
+}
+
+// Names all vertices of the cell, as those that coincide with them.
+static paradt_status paradt__clip_name_all(paradt__clipper *clipper) {
+    const paradt__convex *c = &clipper->cell;
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt_status status = PARADT_OK;
+    size_t i;
+    if (c->place_capacity > clipper->names_capacity) {
+        paradt__release(clipper->memory, clipper->names);
+        clipper->names_capacity = 0;
+        clipper->names = (paradt_index *)paradt__alloc(clipper->memory, c->place_capacity, sizeof *clipper->names);
+        if (!clipper->names) return PARADT_ERROR_MEMORY;
+        clipper->names_capacity = c->place_capacity;
+    }
+    for (i = 0; i < mesh->count && !status; i++) { // the one that others are named by is the first of them
+        if (mesh->vertices[i * (size_t)c->d] == PARADT__DEAD) continue;
+        if (c->same[i] == (paradt_index)i) status = paradt__clip_name(clipper, i, &clipper->names[i]);
+        else clipper->names[i] = clipper->names[c->same[i]];
+    }
+    return status;
+}
+
+// Lists the corners of a face: in space and in the plane in order, else in that of the vertices, each once.
+static paradt_status paradt__clip_corners(paradt__clipper *clipper, size_t plane) {
+    const paradt__convex *c = &clipper->cell;
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    paradt__list *list = &clipper->clipping->corners[clipper->task].corners;
+    size_t counted = list->count, i, d = (size_t)c->d;
+    paradt_index entry = c->entry[plane], at = entry, last = PARADT__NOWHERE;
+    int distant = 0;
+    paradt_status status = paradt__list_append(list, 0, clipper->memory);
+    if (d <= 3) {
+        do {
+            paradt_index name = clipper->names[at / c->d];
+            if (!status && name != last) status = paradt__list_append(list, name, clipper->memory);
+            last = name;
+            at = paradt__convex_next(c, at, c->d);
+        } while (at != entry && !status);
+        if (!status && list->count > counted + 2 && list->items[counted + 1] == last) list->count--;
+    } else {
+        for (i = 0; i < mesh->count * d && !status; i++) {
+            size_t vertex = i / d;
+            if (mesh->vertices[vertex * d] == PARADT__DEAD || mesh->vertices[i] != (paradt_index)plane) continue;
+            if (c->distant[vertex]) {
+                distant = 1;
+                continue;
+            }
+            if (c->same[vertex] == (paradt_index)vertex)
+                status = paradt__list_append(list, clipper->names[vertex], clipper->memory);
+            else { // the one that it is named by may not be on the plane
+                size_t j = counted + 1;
+                while (j < list->count && list->items[j] != clipper->names[vertex]) j++;
+                if (j == list->count) status = paradt__list_append(list, clipper->names[vertex], clipper->memory);
+            }
+        }
+        if (distant && !status) status = paradt__list_append(list, -1, clipper->memory);
+    }
+    if (!status) list->items[counted] = (paradt_index)(list->count - counted - 1);
+    return status;
+}
+
+// Lists the faces of the cell that are to be listed for its point.
+static paradt_status paradt__clip_list(paradt__clipper *clipper) {
+    paradt__clipping *clipping = clipper->clipping;
+    const paradt__diagram *g = clipping->g;
+    paradt__face_list *list = &clipping->lists[clipper->task];
+    const paradt__convex *c = &clipper->cell;
+    const double origin[PARADT_MAX_DIM + 1] = {0}, *base = paradt__diagram_point(g, c->p);
+    size_t plane, d = (size_t)g->d, j;
+    paradt_status status = PARADT_OK;
+    int named = 0;
+    for (plane = 0; plane < c->plane_count && !status; plane++) {
+        const paradt__halfspace *h = c->planes + plane;
+        paradt_index at;
+        if (c->entry[plane] < 0 || !c->real[plane] || h->distant) continue;
+        if (h->side >= 0 && (h->side < c->p || !(g->kind[h->side] & PARADT__CELL_CLIPPED))) continue;
+        status = paradt__face_list_room(list, 1);
+        if (!status && !named && clipping->wants & PARADT_VORONOI_POLYGONS)
+            status = paradt__clip_name_all(clipper), named = 1;
+        if (status) break;
+        at = (paradt_index)list->count++;
+        list->sides[2 * at] = c->p;
+        list->sides[2 * at + 1] = h->side;
+        if (clipping->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)) {
+            paradt__convex_face face;
+            double square = 0;
+            paradt__convex_measure_face(c, (paradt_index)plane, origin, &face);
+            if (clipping->wants & PARADT_VORONOI_AREAS) list->areas[at] = face.measure;
+            for (j = 0; j < d; j++) square += h->normal[j] * h->normal[j];
+            for (j = 0; j < d && clipping->wants & PARADT_VORONOI_NORMALS; j++) {
+                list->normals[(size_t)at * d + j] = h->normal[j] / sqrt(square);
+                list->centroids[(size_t)at * d + j] = base[j] + face.centroid[j];
+            }
+        }
+        if (clipping->wants & PARADT_VORONOI_POLYGONS) {
+            list->cell[at] = (paradt_index)clipping->corners[clipper->task].corners.count;
+            list->edge[at] = PARADT__EDGE_CLIPPED;
+            status = paradt__clip_corners(clipper, plane);
+        }
+    }
+    return status;
+}
+
+// Clips and measures the cell of a point, and lists its faces.
+static paradt_status paradt__clip_point(paradt__clipper *clipper) {
+    paradt__clipping *clipping = clipper->clipping;
+    const paradt__diagram *g = clipping->g;
+    const paradt__convex *c = &clipper->cell;
+    paradt__convex_sums sums;
+    paradt_index p = clipping->points[clipper->at];
+    int j;
+    paradt_status status = paradt__clip_cell(clipper);
+    if (status) return status;
+    memset(&sums, 0, sizeof sums);
+    clipping->unbounded[p] = (unsigned char)(!c->empty && c->unbounded);
+    if (clipping->tally.sums) {
+        double *to = paradt__tally_of(&clipping->tally, p);
+        if (!c->empty && !c->unbounded) status = paradt__convex_measure(c, &sums);
+        to[0] = sums.volume;
+        to[1] = sums.error;
+        for (j = 0; j < clipping->tally.width - 2; j++) to[2 + j] = sums.moment[j];
+    }
+    if (!status && !c->empty && clipping->lists && g->kind[p] & PARADT__CELL_CLIPPED)
+        status = paradt__clip_list(clipper);
+    return status;
+}
+
+// --- all cells
+
+PARADT__HOT void paradt__clip_task(void *context, size_t task) {
+    enum { PACE = 64 };
+    paradt__clipping *clipping = (paradt__clipping *)context;
+    const paradt__diagram *g = clipping->g;
+    paradt__clipper clipper;
+    size_t end = paradt__loader_range(clipping->team, clipping->point_count, task, &clipper.at), first;
+    paradt_status status = PARADT_OK;
+    memset(&clipper.cell, 0, sizeof clipper.cell);
+    first = clipper.at;
+    clipper.clipping = clipping;
+    clipper.task = task;
+    clipper.memory = &clipping->memory[task];
+    clipper.names = NULL;
+    clipper.names_capacity = 0;
+    clipper.stamp = (paradt_index *)paradt__alloc(clipper.memory, g->set.count, sizeof *clipper.stamp);
+    clipper.number = (paradt_index *)paradt__alloc(clipper.memory, g->set.count, sizeof *clipper.number);
+    if (!clipper.stamp || !clipper.number) {
+        paradt__release(clipper.memory, clipper.stamp);
+        paradt__release(clipper.memory, clipper.number);
+        clipping->status[task] = PARADT_ERROR_MEMORY;
+        return;
+    }
+    memset(clipper.stamp, 0, g->set.count * sizeof *clipper.stamp);
+    paradt__convex_begin(&clipper.cell, g, clipper.memory);
+    for (; clipper.at < end && !status; clipper.at++) {
+        if (clipper.at % PACE == 0 &&
+            paradt__team_cancels(clipping->team, task, (double)(clipper.at - first) / (double)(end - first)))
+            status = PARADT_ERROR_CANCELLED;
+        else status = paradt__clip_point(&clipper);
+    }
+    paradt__convex_free(&clipper.cell);
+    paradt__release(clipper.memory, clipper.stamp);
+    paradt__release(clipper.memory, clipper.number);
+    paradt__release(clipper.memory, clipper.names);
+    clipping->status[task] = status;
+}
+
+// Lists the points whose cells are clipped, or have no certain measure, and the cells of the triangulation around each.
+PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const unsigned char *again) {
+    const paradt__diagram *g = clipping->g;
+    size_t n = g->set.count, i, j, at, corners = (size_t)g->k + 1;
+    paradt_index *slot;
+    for (i = 0; i < n; i++) clipping->point_count += again[i] != 0;
+    if (!clipping->point_count) return PARADT_OK;
+    clipping->points = (paradt_index *)paradt__alloc(g->memory, clipping->point_count, sizeof *clipping->points);
+    clipping->first = (size_t *)paradt__alloc(g->memory, clipping->point_count + 1, sizeof *clipping->first);
+    slot = (paradt_index *)paradt__alloc(g->memory, n, sizeof *slot);
+    if (!clipping->points || !clipping->first || !slot) {
+        paradt__release(g->memory, slot);
+        return PARADT_ERROR_MEMORY;
+    }
+    memset(clipping->first, 0, (clipping->point_count + 1) * sizeof *clipping->first);
+    for (i = at = 0; i < n; i++) {
+        slot[i] = again[i] ? (paradt_index)at : -1;
+        if (again[i]) clipping->points[at++] = (paradt_index)i;
+    }
+    for (i = 0; i < g->cells; i++) {
+        const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
+        for (j = 0; j < corners; j++)
+            if (slot[row[j]] >= 0) clipping->first[slot[row[j]] + 1]++;
+    }
+    for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
+    clipping->around =
+        (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1, sizeof *clipping->around);
+    for (i = 0; i < g->cells && clipping->around; i++) {
+        const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
+        for (j = 0; j < corners; j++) {
+            paradt_index of = slot[row[j]];
+            if (of >= 0) clipping->around[clipping->first[of]++] = (paradt_index)i;
+        }
+    }
+    for (i = clipping->point_count; i > 0; i--) clipping->first[i] = clipping->first[i - 1];
+    clipping->first[0] = 0;
+    paradt__release(g->memory, slot);
+    return clipping->around ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
+// Puts what a task has listed behind what is in the lists.
+static paradt_status paradt__clip_join(paradt__clipping *clipping, size_t task, paradt__face_list *list,
+                                       paradt__corner_list *corners) {
+    paradt__memory *memory = clipping->g->memory;
+    paradt__face_list *from = &clipping->lists[task];
+    paradt__corner_list *more = &clipping->corners[task];
+    size_t d = (size_t)clipping->g->d, i, base = corners->corners.count, places = corners->place_count, left = 0;
+    paradt_status status;
+    for (i = 0; i < from->count && clipping->wants & PARADT_VORONOI_POLYGONS; i++) from->cell[i] += (paradt_index)base;
+    status = paradt__face_list_join(list, from);
+    for (i = 0; i < more->corners.count && !status; i++) {
+        paradt_index item = more->corners.items[i];
+        if (!left) left = (size_t)item + 1; // the number of corners that follow
+        else if (item < -1) item -= (paradt_index)places;
+        left--;
+        status = paradt__list_append(&corners->corners, item, memory);
+    }
+    if (status || !more->place_count) return status;
+    status = paradt__corner_list_grow(corners, more->place_count, clipping->g->d, memory);
+    if (status) return status;
+    memcpy(corners->places + places * d, more->places, more->place_count * d * sizeof(double));
+    memcpy(corners->planes + places * (d + 1), more->planes, more->place_count * (d + 1) * sizeof(paradt_index));
+    corners->place_count += more->place_count;
+    return PARADT_OK;
+}
+
+// Are two places of a list the same? That is, are all planes that meet at the second at the first, too?
+static int paradt__corner_list_same(const paradt__diagram *g, const paradt__corner_list *list, size_t a, size_t b,
+                                    paradt__exact_work *exact) {
+    size_t row = (size_t)g->d + 1, i, j;
+    const paradt_index *first = list->planes + a * row, *second = list->planes + b * row;
+    paradt__halfspace planes[PARADT_MAX_DIM + 1];
+    const paradt__halfspace *h[PARADT_MAX_DIM + 1];
+    if (memcmp(list->places + a * (row - 1), list->places + b * (row - 1), (row - 1) * sizeof(double))) return 0;
+    for (i = 0; i < row - 1; i++) paradt__diagram_plane(g, first[0], first[i + 1], &planes[i]);
+    for (i = 0; i < row; i++) h[i] = planes + i;
+    for (i = 0; i < row; i++) { // the second's point counts as a plane between both points
+        for (j = 1; j < row && first[j] != second[i]; j++) {
+        }
+        if (j < row || second[i] == first[0]) continue;
+        paradt__diagram_plane(g, first[0], second[i], &planes[row - 1]);
+        if (paradt__exact_above(exact, g, first[0], h)) return 0;
+    }
+    return 1;
+}
+
+// Clips all cells that `again` has a mark for.
+//   tally      sums of cells, replaced for these; sums NULL: not wanted
+//   unbounded  [points] filled for these
+//   list       NULL, or a list that their faces are added to, if both sides have PARADT__CELL_CLIPPED
+//   corners    with PARADT_VORONOI_POLYGONS, gets the corners of these faces
+static paradt_status paradt__clip_all(paradt__diagram *g, const paradt__team *team, unsigned wants,
+                                      const unsigned char *again, const paradt__voronoi_tally *tally,
+                                      unsigned char *unbounded, paradt__face_list *list, paradt__corner_list *corners) {
+    paradt__clipping clipping;
+    paradt__face_list lists[PARADT__MOST_TASKS];
+    uint64_t peaks = 0;
+    size_t i;
+    paradt_status status;
+    memset(&clipping, 0, sizeof clipping);
+    clipping.g = g;
+    clipping.team = team;
+    clipping.wants = wants;
+    clipping.tally = *tally;
+    clipping.unbounded = unbounded;
+    clipping.lists = list ? lists : NULL;
+    status = paradt__clip_collect(&clipping, again);
+    for (i = 0; i < team->tasks; i++) {
+        clipping.memory[i] = paradt__memory_fork(g->memory, team->tasks);
+        paradt__face_list_begin(&lists[i], g->d, wants, &clipping.memory[i]);
+    }
+    if (!status && clipping.point_count) {
+        paradt__team_run(team, paradt__clip_task, &clipping);
+        if (paradt__team_cancelled(team)) status = PARADT_ERROR_CANCELLED;
+    }
+    for (i = 0; i < team->tasks; i++) {
+        if (!status) status = clipping.status[i];
+        paradt__memory_join(g->memory, &clipping.memory[i], &peaks);
+        lists[i].memory = g->memory;
+    }
+    for (i = 0; i < team->tasks; i++) {
+        if (!status && list) status = paradt__clip_join(&clipping, i, list, corners);
+        paradt__face_list_free(&lists[i]);
+        paradt__corner_list_free(&clipping.corners[i], g->memory);
+    }
+    paradt__release(g->memory, clipping.points);
+    paradt__release(g->memory, clipping.first);
+    paradt__release(g->memory, clipping.around);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>Voronoi
+//
+// The entry: arguments are checked, the triangulation and the walls are read, and the steps of the sections above are
+// done as far as their results are wanted. Doors: the public functions.
+
+typedef struct paradt__voronoi_work {
+    paradt_options options;
+    paradt__memory memory;
+    paradt__meter meter;
+    size_t tasks;
+    unsigned wants;
+    paradt__diagram g;
+    double *scaled;              // of the diagram, where it has its own
+    paradt__voronoi_tally tally; // of the cells
+    unsigned char *unbounded;    // [points] is the cell?
+    paradt__face_list list;
+    paradt__corner_list corners; // of faces that are clipped
+    uint32_t reported[4];
+} paradt__voronoi_work;
+
+// Outputs for which there have to be faces
+enum {
+    PARADT__VORONOI_ANY_FACE =
+        PARADT_VORONOI_FACES | PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS | PARADT_VORONOI_NORMALS
+};
+
+enum { PARADT__VORONOI_CENTRES, PARADT__VORONOI_FACES, PARADT__VORONOI_CLIPS, PARADT__VORONOI_ENDS };
+
+static paradt__team paradt__voronoi_team(paradt__voronoi_work *work, int step) {
+    static const double shares[] = {0.2, 0.4, 0.3, 0.1};
+    return paradt__team_of(&work->options, work->tasks,
+                           paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
+}
+
+// The caller's index of a position
+PARADT__INLINE size_t paradt__voronoi_index(const paradt__diagram *g, size_t position) {
+    return g->set.origin ? (size_t)g->set.origin[position] : position;
+}
+
+// --- arguments
+
+static int paradt__voronoi_is_number(double x) {
+    return paradt__is_finite(x);
+}
+
+// Returns what is wrong with the request, or NULL.
+static const char *paradt__voronoi_fault(const paradt_triangulation *t, const paradt_points *points,
+                                         const paradt_voronoi_request *request) {
+    const unsigned all = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_FACES |
+                         PARADT_VORONOI_AREAS | PARADT_VORONOI_POLYGONS | PARADT_VORONOI_NORMALS;
+    size_t i, d = (size_t)points->dim;
+    if (!t) return "triangulation is NULL";
+    if (t->point_count != points->count) return "points.count is not that of the triangulation";
+    if (t->dim > points->dim) return "points.dim is less than the dimension of the triangulation";
+    if (t->dim > 0 && t->cell_count && (!t->cells || !t->neighbors))
+        return "triangulation.cells or neighbors is NULL; PARADT_NO_NEIGHBORS gives none";
+    if (!request) return NULL;
+    if (request->outputs & ~all) return "request.outputs has a bit that means nothing";
+    if (d > 3 && request->outputs & (PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS))
+        return "request.outputs has centroids, areas or normals, which are there in two and three dimensions";
+    if (request->plane_count && !request->planes) return "request.planes is NULL, but plane_count is not 0";
+    for (i = 0; i < 2 * d && request->box; i++) {
+        double bound = request->box[i];
+        if (!paradt__is_finite(bound) && !(paradt__bits(bound) << 12 == 0 && (paradt__bits(bound) >> 63) == (i < d)))
+            return "request.box has a bound that is no number";
+    }
+    for (i = 0; i < request->plane_count * (d + 1); i++) {
+        if (!paradt__voronoi_is_number(request->planes[i])) return "request.planes has a number that is not finite";
+    }
+    for (i = 0; i < request->plane_count; i++) {
+        size_t j = 0;
+        while (j < d && !(paradt__bits(request->planes[i * (d + 1) + j]) << 1)) j++;
+        if (j == d) return "request.planes has a normal that is 0";
+    }
+    return NULL;
+}
+
+// --- the walls
+
+// The exponent above that of a number; far below all others for 0
+static int paradt__voronoi_top(double x) {
+    paradt__range range = paradt__no_range;
+    paradt__measure(&range, x);
+    return range.top;
+}
+
+// Makes the walls of the request, along the axes of the set.
+static paradt_status paradt__voronoi_walls(paradt__voronoi_work *work, const paradt_voronoi_request *request) {
+    paradt__diagram *g = &work->g;
+    size_t i, d = (size_t)g->d, planes = request ? request->plane_count : 0;
+    int j;
+    g->wall_count = 2 * d + planes;
+    g->walls = (paradt__voronoi_wall *)paradt__alloc(&work->memory, g->wall_count, sizeof *g->walls);
+    if (!g->walls) return PARADT_ERROR_MEMORY;
+    memset(g->walls, 0, g->wall_count * sizeof *g->walls);
+    for (i = 0; i < g->wall_count; i++) {
+        paradt__voronoi_wall *wall = g->walls + i;
+        wall->axis = -1;
+        if (i >= 2 * d) {
+            const double *plane = request->planes + (i - 2 * d) * (d + 1);
+            for (j = 0; j < g->d; j++) wall->normal[j] = plane[g->set.axes[j]] + 0.0;
+            wall->offset = plane[d];
+            continue;
+        }
+        for (j = 0; j < g->d; j++) {
+            if ((size_t)g->set.axes[j] == i % d) wall->axis = j;
+        }
+        wall->normal[wall->axis] = i < d ? -1 : 1;
+        wall->distant = !request || !request->box || !paradt__is_finite(request->box[i]);
+        if (!wall->distant) wall->offset = i < d ? -request->box[i] : request->box[i];
+        if (i >= d && !wall->distant && !g->walls[i - d].distant && request->box[i - d] > request->box[i])
+            g->nothing = 1;
+    }
+    for (i = 0; i < d; i++)
+        for (j = 0; j < (int)i; j++) g->odd ^= g->walls[j].axis > g->walls[i].axis;
+    return PARADT_OK;
+}
+
+// Chooses the scale of floating point, and scales points and walls. Sizes from 2^-20 to 2^40 are left as they are.
+static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
+    paradt__diagram *g = &work->g;
+    size_t i, j, d = (size_t)g->d, width = g->set.width;
+    int top = g->set.space.coordinates.top, growth, exact;
+    if (g->weighted) top = paradt__max(top, (g->set.space.weights.top + 1) / 2);
+    for (i = 0; i < g->wall_count; i++) {
+        const paradt__voronoi_wall *wall = g->walls + i;
+        int largest = -4000;
+        for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
+        if (!wall->distant) top = paradt__max(top, paradt__voronoi_top(wall->offset) - largest + 1);
+    }
+    top = paradt__min(top, 1100);
+    g->shift = top < -4000 || (top >= -20 && top <= 40) ? 0 : top;
+    top = paradt__max(top - g->shift, 0) + 2;
+    growth = (int)d * top + 2 * top + 8;
+    g->tiny = paradt__power(growth - 950);
+    for (i = 0; i < g->wall_count; i++) {
+        paradt__voronoi_wall *wall = g->walls + i;
+        int largest = -4000;
+        for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
+        exact = paradt__precise();
+        if (wall->axis >= 0) largest = 0;
+        for (j = 0; j < d; j++) wall->scaled_normal[j] = paradt__scale(wall->normal[j], -largest, &exact);
+        wall->scaled_offset = paradt__scale(wall->offset, -largest - g->shift, &exact);
+        wall->inexact = !exact;
+    }
+    g->scaled = g->set.records;
+    if (!g->shift) return PARADT_OK;
+    work->scaled = (double *)paradt__alloc(&work->memory, g->set.count + 1, width * sizeof(double));
+    if (!work->scaled) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < g->set.count * width; i++)
+        work->scaled[i] = paradt__scale(g->set.records[i], i % width < d ? -g->shift : -2 * g->shift, &exact);
+    g->scaled = work->scaled;
+    return PARADT_OK;
+}
+
+// --- reading
+
+// Reads the triangulation and its points.
+PARADT__HOT paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                               const paradt_points *points, size_t *bad) {
+    paradt__diagram *g = &work->g;
+    paradt__mesh mesh;
+    paradt_status status = PARADT_OK;
+    memset(&mesh, 0, sizeof mesh);
+    g->d = points->dim;
+    g->k = t->cell_count ? t->dim : -1;
+    g->weighted = points->weights != NULL;
+    g->memory = &work->memory;
+    g->meter = &work->meter;
+    if (g->k >= 1) {
+        int facets = (work->options.flags & PARADT_FACETS) != 0;
+        status = paradt__given_mesh(&mesh, t, facets, &work->memory, &work->meter);
+        g->cells = t->cell_count;
+        g->hull = mesh.count - g->cells;
+    }
+    if (!status) status = paradt__given_set(&g->set, t, points, &work->memory, &work->meter, bad);
+    g->kind = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    if (!status && !g->kind) status = PARADT_ERROR_MEMORY;
+    if (!status) memset(g->kind, 0, points->count);
+    if (!status && g->k >= 1) status = paradt__diagram_rows(g, &mesh);
+    paradt__mesh_free(&mesh, &work->memory);
+    if (status || g->k != 0) return status;
+    // a triangulation of one vertex, which has no mesh
+    if (t->cells[0] < 0 || (size_t)t->cells[0] >= points->count) return PARADT_ERROR_INVALID;
+    g->kind[t->cells[0]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
+    return PARADT_OK;
+}
+
+// --- results
+
+static void *paradt__voronoi_array(paradt__voronoi_work *work, size_t count, size_t size, paradt_status *status) {
+    void *array = *status ? NULL : paradt__alloc_filled(&work->memory, count, size);
+    if (!*status && !array) *status = PARADT_ERROR_MEMORY;
+    return array;
+}
+
+// Brings a number of `dim` dimensions back to the caller's scale; what is not finite stays so.
+static double paradt__voronoi_unscaled(const paradt__diagram *g, double value, int dim) {
+    int exact = 1;
+    return g->shift && paradt__is_finite(value) ? paradt__scale(value, dim * g->shift, &exact) : value;
+}
+
+// Brings a measure of `dim` dimensions back to the caller's scale, and adds what that costs to its error.
+static double paradt__voronoi_unscale(const paradt__diagram *g, double value, int dim, double *error) {
+    int exact = 1;
+    if (g->shift) {
+        value = paradt__voronoi_unscaled(g, value, dim);
+        if (paradt__is_finite(*error))
+            *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
+    }
+    *error += paradt__power(-1000);
+    if (paradt__bits(paradt__abs(value)) >= UINT64_C(0x7fefffffffffffff)) *error = HUGE_VAL;
+    return value;
+}
+
+// Hands over what was summed up for the cells.
+PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, paradt_voronoi *out) {
+    const paradt__diagram *g = &work->g;
+    size_t i, n = g->set.count;
+    int d = g->d, j;
+    paradt_status status = PARADT_OK;
+    if (work->wants & PARADT_VORONOI_VOLUMES) {
+        out->volumes = (double *)paradt__voronoi_array(work, n, sizeof *out->volumes, &status);
+        out->volume_errors = (double *)paradt__voronoi_array(work, n, sizeof *out->volume_errors, &status);
+    }
+    if (work->wants & PARADT_VORONOI_CENTROIDS)
+        out->centroids = (double *)paradt__voronoi_array(work, n * (size_t)d, sizeof *out->centroids, &status);
+    if (status) return status;
+    for (i = 0; i < n; i++) out->unbounded[paradt__voronoi_index(g, i)] = work->unbounded[i];
+    for (i = 0; i < n && work->tally.sums; i++) {
+        const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
+        size_t to = paradt__voronoi_index(g, i);
+        int infinite = work->unbounded[i];
+        double volume = infinite ? HUGE_VAL : sums[0], error = infinite ? 0 : sums[1];
+        if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
+        if (!infinite && !(volume + error < HUGE_VAL))        // beyond all doubles: the largest one, and no bound
+            volume = paradt__from_bits(UINT64_C(0x7fefffffffffffff)), error = HUGE_VAL;
+        double scaled = volume;
+        if (out->volumes) {
+            if (!infinite && volume > 0) volume = paradt__voronoi_unscale(g, volume, d, &error);
+            out->volumes[to] = volume;
+            out->volume_errors[to] = error;
+        }
+        for (j = 0; j < d && out->centroids; j++) {
+            double x = paradt__diagram_point(g, (paradt_index)i)[j] + sums[2 + j] / scaled;
+            x = paradt__voronoi_unscaled(g, x, 1);
+            out->centroids[to * (size_t)d + (size_t)g->set.axes[j]] = infinite || !(scaled > 0) ? NAN : x;
+        }
+    }
+    for (i = 0; i < n && out->volumes; i++) out->volume += out->volumes[i];
+    return PARADT_OK;
+}
+
+// For each cell its faces, in the order of their numbers
+PARADT__HOT paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, paradt_voronoi *out) {
+    size_t i, n = work->g.set.count, side;
+    paradt_status status = PARADT_OK;
+    out->first_face = (size_t *)paradt__voronoi_array(work, n + 1, sizeof *out->first_face, &status);
+    if (status) return status;
+    memset(out->first_face, 0, (n + 1) * sizeof *out->first_face);
+    for (i = 0; i < 2 * out->face_count; i++)
+        if (out->sides[i] >= 0) out->first_face[(size_t)out->sides[i] + 1]++;
+    for (i = 0; i < n; i++) out->first_face[i + 1] += out->first_face[i];
+    out->faces = (paradt_index *)paradt__voronoi_array(work, out->first_face[n], sizeof *out->faces, &status);
+    if (status) return status;
+    for (i = 0; i < out->face_count; i++) {
+        for (side = 0; side < 2; side++) {
+            paradt_index point = out->sides[2 * i + side];
+            if (point >= 0) out->faces[out->first_face[point]++] = (paradt_index)i;
+        }
+    }
+    for (i = n; i > 0; i--) out->first_face[i] = out->first_face[i - 1];
+    out->first_face[0] = 0;
+    return PARADT_OK;
+}
+
+// Hands over the faces.
+PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, paradt_voronoi *out) {
+    paradt__face_list *list = &work->list;
+    const paradt__diagram *g = &work->g;
+    size_t i, d = (size_t)g->d, j;
+    out->face_count = list->count;
+    out->sides = list->sides;
+    out->areas = list->areas;
+    out->face_centroids = list->centroids;
+    out->normals = list->normals;
+    list->sides = NULL;
+    list->areas = list->centroids = list->normals = NULL;
+    for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
+        if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
+    for (i = 0; i < out->face_count && out->areas && g->shift; i++)
+        out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
+    for (i = 0; i < out->face_count && out->normals && (g->shift || g->k < g->d); i++) {
+        double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
+        memcpy(centroid, out->face_centroids + i * d, d * sizeof(double));
+        memcpy(normal, out->normals + i * d, d * sizeof(double));
+        for (j = 0; j < d; j++) {
+            out->normals[i * d + (size_t)g->set.axes[j]] = normal[j];
+            out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__voronoi_unscaled(g, centroid[j], 1);
+        }
+    }
+    return paradt__voronoi_incidence(work, out);
+}
+
+// Clips what has to be clipped, or was measured with an error as large as what was measured.
+PARADT__HOT paradt_status paradt__voronoi_clip(paradt__voronoi_work *work) {
+    paradt__diagram *g = &work->g;
+    paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CLIPS);
+    const unsigned faces = PARADT__VORONOI_ANY_FACE;
+    unsigned char *again = (unsigned char *)paradt__alloc(&work->memory, g->set.count, 1);
+    size_t i;
+    paradt_status status;
+    if (!again) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < g->set.count; i++) {
+        again[i] = (g->kind[i] & PARADT__CELL_CLIPPED) != 0;
+        if (g->kind[i] == PARADT__CELL_THERE && work->tally.sums) { // and not clipped
+            const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
+            again[i] = !(sums[0] > sums[1]);
+        }
+    }
+    status = paradt__clip_all(g, &team, work->wants, again, &work->tally, work->unbounded,
+                              work->wants & faces ? &work->list : NULL, &work->corners);
+    paradt__release(&work->memory, again);
+    return status;
+}
+
+// --- polygons
+
+// What of vertices is numbered
+typedef struct paradt__numbering {
+    paradt_index *same;   // [cells] of cells with one sphere: one of them; NULL: there are no centres
+    paradt_index *number; // [cells] of its vertex; -1: none yet
+    paradt_index *alias;  // [places] the first of those that are the same
+    paradt_index *placed; // [places] of its vertex
+    paradt__list of;      // by number: a cell, or -2 - i for a place
+    paradt__list corners; // the result's polygons
+} paradt__numbering;
+
+static void paradt__numbering_free(paradt__numbering *n, paradt__memory *memory) {
+    paradt__release(memory, n->same);
+    paradt__release(memory, n->number);
+    paradt__release(memory, n->alias);
+    paradt__release(memory, n->placed);
+    paradt__list_free(&n->of, memory);
+    paradt__list_free(&n->corners, memory);
+}
+
+// Finds which cells have one sphere.
+PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__voronoi_work *work) {
+    paradt__diagram *g = &work->g;
+    size_t i, corners = (size_t)g->d + 1;
+    if (!g->centred) return PARADT_OK;
+    n->same = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->same);
+    n->number = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->number);
+    if (!n->same || !n->number) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < g->cells; i++) n->same[i] = (paradt_index)i, n->number[i] = -1;
+    for (i = 0; i < g->cells * corners; i++) {
+        paradt_index cell = (paradt_index)(i / corners), a, b;
+        paradt_index link = paradt__row_vertices(g, i / corners, g->row_bytes)[corners + i % corners];
+        paradt_index other = link / (paradt_index)corners;
+        if (i % ((size_t)1 << 14) == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
+        if (link < 0 || other < cell ||
+            paradt__centres_differ(paradt__centre_of(g, cell, g->d), paradt__centre_of(g, other, g->d), g->d) ||
+            !paradt__centres_agree(g, &g->set.space, i / corners, (int)(i % corners)))
+            continue;
+        a = paradt__convex_root(n->same, cell);
+        b = paradt__convex_root(n->same, other);
+        if (a < b) n->same[b] = a;
+        else n->same[a] = b;
+    }
+    for (i = 0; i < g->cells; i++) n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    return PARADT_OK;
+}
+
+// Finds which places are the same.
+static paradt_status paradt__numbering_places(paradt__numbering *n, paradt__voronoi_work *work) {
+    const paradt__corner_list *list = &work->corners;
+    size_t count = list->place_count, i, j, d = (size_t)work->g.d;
+    paradt__exact_work exact;
+    paradt_status status;
+    paradt__keyed *keyed = (paradt__keyed *)paradt__alloc(&work->memory, 2 * count + 1, sizeof *keyed);
+    n->alias = (paradt_index *)paradt__alloc(&work->memory, count, sizeof *n->alias);
+    n->placed = (paradt_index *)paradt__alloc(&work->memory, count, sizeof *n->placed);
+    if (!keyed || !n->alias || !n->placed) {
+        paradt__release(&work->memory, keyed);
+        return PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < count; i++) {
+        keyed[i].key = paradt__hash_coordinates(list->places + i * d, (int)d);
+        keyed[i].item = (paradt_index)i;
+        n->placed[i] = -1;
+    }
+    paradt__keyed_sort(keyed, keyed + count, count, 64, 0);
+    memset(&exact, 0, sizeof exact);
+    exact.memory = &work->memory;
+    for (i = 0; i < count; i++) {
+        size_t at = (size_t)keyed[i].item;
+        n->alias[at] = (paradt_index)at;
+        for (j = i; j > 0 && keyed[j - 1].key == keyed[i].key; j--) {
+            size_t other = (size_t)keyed[j - 1].item;
+            if (n->alias[other] != (paradt_index)other || !paradt__corner_list_same(&work->g, list, at, other, &exact))
+                continue;
+            n->alias[at] = n->alias[other];
+            break;
+        }
+    }
+    paradt__release(&work->memory, keyed);
+    status = exact.status;
+    paradt__exact_free(&exact);
+    return status;
+}
+
+// Appends a corner to the polygon that began at `begin`, unless it is the last one's again.
+static paradt_status paradt__numbering_add(paradt__numbering *n, paradt__voronoi_work *work, size_t begin,
+                                           paradt_index name) {
+    paradt_index *number, vertex = -1;
+    paradt_status status = PARADT_OK;
+    if (name != -1) {
+        if (name >= 0) name = n->same[name];
+        else name = -2 - n->alias[-2 - name];
+        number = name >= 0 ? &n->number[name] : &n->placed[-2 - name];
+        if (*number < 0) {
+            *number = (paradt_index)n->of.count;
+            status = paradt__list_append(&n->of, name, &work->memory);
+        }
+        vertex = *number;
+    }
+    if (!status && (n->corners.count == begin || n->corners.items[n->corners.count - 1] != vertex))
+        status = paradt__list_append(&n->corners, vertex, &work->memory);
+    return status;
+}
+
+// Appends the corners of a face.
+static paradt_status paradt__numbering_face(paradt__numbering *n, paradt__voronoi_work *work, size_t face) {
+    const paradt__diagram *g = &work->g;
+    paradt_index cell = work->list.cell[face];
+    int edge = work->list.edge[face];
+    size_t begin = n->corners.count, i;
+    paradt_status status = PARADT_OK;
+    if (edge == PARADT__EDGE_CLIPPED) {
+        const paradt_index *corners = work->corners.corners.items + cell;
+        size_t count = (size_t)corners[0]; // backwards where axes that are an odd permutation turn it over
+        for (i = 0; i < count && !status; i++)
+            status = paradt__numbering_add(n, work, begin, corners[g->odd && g->d <= 3 ? count - i : i + 1]);
+    } else if (g->d == 2) {
+        status =
+            paradt__numbering_add(n, work, begin, paradt__row_vertices(g, (size_t)cell, g->row_bytes)[3 + edge] / 3);
+        if (!status) status = paradt__numbering_add(n, work, begin, cell);
+    } else {
+        const unsigned char *places = paradt__ring_edges[edge];
+        const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
+        paradt_index at = cell, kept = row[places[3]], handle;
+        int cross = places[2];
+        do {
+            status = paradt__numbering_add(n, work, begin, at);
+            handle = row[4 + cross];
+            at = handle >> 2;
+            row = paradt__row_vertices(g, (size_t)at, g->row_bytes);
+            cross = paradt__given_place(row, kept, 4);
+            kept = row[handle & 3];
+        } while (at != cell && !status);
+    }
+    if (!status && g->d <= 3 && n->corners.count > begin + 1 &&
+        n->corners.items[begin] == n->corners.items[n->corners.count - 1])
+        n->corners.count--;
+    return status;
+}
+
+// Fills the vertices.
+static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__voronoi_work *work, paradt_voronoi *out) {
+    const paradt__diagram *g = &work->g;
+    size_t d = (size_t)g->d, i, j;
+    paradt_status status = PARADT_OK;
+    int exact = 1;
+    out->vertex_count = n->of.count;
+    out->vertices = (double *)paradt__voronoi_array(work, n->of.count * d, sizeof(double), &status);
+    if (status) return status;
+    for (i = 0; i < n->of.count; i++) {
+        paradt_index of = n->of.items[i];
+        const double *x = of >= 0 ? paradt__centre_of(g, of, g->d) : work->corners.places + (size_t)(-2 - of) * d;
+        for (j = 0; j < d; j++) {
+            double y = of >= 0 && g->shift ? paradt__scale(x[j], g->shift, &exact) : x[j];
+            out->vertices[i * d + (size_t)g->set.axes[j]] = y + 0.0;
+        }
+    }
+    return PARADT_OK;
+}
+
+// Numbers the vertices, and makes the polygons of all faces.
+PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, paradt_voronoi *out) {
+    paradt__numbering n;
+    size_t i;
+    paradt_status status;
+    memset(&n, 0, sizeof n);
+    status = paradt__numbering_cells(&n, work);
+    if (!status) status = paradt__numbering_places(&n, work);
+    out->first_vertex = (size_t *)paradt__voronoi_array(work, work->list.count + 1, sizeof(size_t), &status);
+    if (!status) out->first_vertex[0] = 0;
+    for (i = 0; i < work->list.count && !status; i++) {
+        if (i % PARADT__DIAGRAM_PACE == 0 && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+        else status = paradt__numbering_face(&n, work, i);
+        out->first_vertex[i + 1] = n.corners.count;
+    }
+    if (!status) status = paradt__numbering_vertices(&n, work, out);
+    if (!status) {
+        out->polygons = n.corners.items;
+        memset(&n.corners, 0, sizeof n.corners);
+        if (!out->polygons) out->polygons = (paradt_index *)paradt__voronoi_array(work, 0, 1, &status);
+    }
+    paradt__numbering_free(&n, &work->memory);
+    return status;
+}
+
+PARADT__HOT paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const paradt_triangulation *t,
+                                              const paradt_points *points, const paradt_voronoi_request *request,
+                                              paradt_voronoi *out) {
+    paradt__diagram *g = &work->g;
+    paradt__team team = paradt__voronoi_team(work, PARADT__VORONOI_CENTRES);
+    const unsigned measures = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS;
+    const unsigned faces = PARADT__VORONOI_ANY_FACE;
+    paradt_status status = paradt__voronoi_read(work, t, points, &out->error_point);
+    if (!status) status = paradt__voronoi_walls(work, request);
+    if (!status) status = paradt__voronoi_scale(work);
+    if (status) return status;
+    out->unbounded = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    work->unbounded = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
+    if (!out->unbounded || !work->unbounded) return PARADT_ERROR_MEMORY;
+    memset(work->unbounded, 0, points->count);
+    work->tally.width = work->wants & PARADT_VORONOI_CENTROIDS ? 2 + g->d : 2;
+    if (work->wants & measures) {
+        size_t bytes = points->count * (size_t)work->tally.width * sizeof(double);
+        work->tally.sums = (double *)paradt__alloc_filled(&work->memory, bytes, 1);
+        if (!work->tally.sums) return PARADT_ERROR_MEMORY;
+        memset(work->tally.sums, 0, bytes);
+    }
+    paradt__face_list_begin(&work->list, g->d, work->wants, &work->memory);
+    if (g->centred) {
+        status = paradt__centres_make(g, &team);
+        team = paradt__voronoi_team(work, PARADT__VORONOI_FACES);
+        if (!status)
+            status = paradt__faces_make(g, &team, work->wants, &work->tally, work->wants & faces ? &work->list : NULL);
+    }
+    if (!status) status = paradt__voronoi_clip(work);
+    if (!status) status = paradt__voronoi_cells(work, out);
+    if (!status && work->wants & faces) {
+        if (work->wants & PARADT_VORONOI_POLYGONS) status = paradt__voronoi_polygons(work, out);
+        if (!status) status = paradt__voronoi_faces(work, out);
+    }
+    return status;
+}
+
+PARADT_DEF void paradt_voronoi_free(paradt_voronoi *voronoi) {
+    paradt__memory memory;
+    paradt_options options;
+    if (!voronoi) return;
+    memset(&options, 0, sizeof options);
+    options.allocator = voronoi->allocator;
+    paradt__memory_begin(&memory, &options);
+    paradt__release(&memory, voronoi->volumes);
+    paradt__release(&memory, voronoi->volume_errors);
+    paradt__release(&memory, voronoi->centroids);
+    paradt__release(&memory, voronoi->unbounded);
+    paradt__release(&memory, voronoi->sides);
+    paradt__release(&memory, voronoi->areas);
+    paradt__release(&memory, voronoi->face_centroids);
+    paradt__release(&memory, voronoi->normals);
+    paradt__release(&memory, voronoi->first_face);
+    paradt__release(&memory, voronoi->faces);
+    paradt__release(&memory, voronoi->vertices);
+    paradt__release(&memory, voronoi->first_vertex);
+    paradt__release(&memory, voronoi->polygons);
+    memset(voronoi, 0, sizeof *voronoi);
+    voronoi->dim = -1;
+}
+
+// Ends a call: frees all but the result.
+static paradt_status paradt__voronoi_end(paradt__voronoi_work *work, paradt_voronoi *out, paradt_status status, int dim,
+                                         double begun) {
+    work->meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
+    paradt__face_list_free(&work->list);
+    paradt__corner_list_free(&work->corners, &work->memory);
+    paradt__release(&work->memory, work->tally.sums);
+    paradt__release(&work->memory, work->scaled);
+    paradt__release(&work->memory, work->unbounded);
+    paradt__release(&work->memory, work->g.walls);
+    paradt__release(&work->memory, work->g.rows_block);
+    paradt__release(&work->memory, work->g.kind);
+    paradt__set_free(&work->g.set, &work->memory);
+    if (status) {
+        size_t bad = out->error_point;
+        paradt_voronoi_free(out);
+        out->error_point = bad;
+        out->error_text = paradt_status_string(status);
+    } else {
+        out->dim = dim;
+    }
+    out->seconds = paradt__now() - begun;
+    return status;
+}
+
+PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const paradt_triangulation *triangulation,
+                                                const paradt_points *points, const paradt_voronoi_request *request,
+                                                const paradt_options *options) {
+    enum { WORTHWHILE = 2000 }; // points: with fewer, threads cost more than they gain
+    paradt__voronoi_work work;
+    paradt_status status;
+    double begun = paradt__now();
+    if (!out) return PARADT_ERROR_ARGUMENT;
+    memset(out, 0, sizeof *out);
+    out->dim = -1;
+    status = paradt__check_arguments(points, options, &out->error_text);
+    if (!status) {
+        out->error_text = paradt__voronoi_fault(triangulation, points, request);
+        if (out->error_text) status = PARADT_ERROR_ARGUMENT;
+    }
+    if (status) return status;
+    memset(&work, 0, sizeof work);
+    if (options) work.options = *options;
+    paradt__memory_begin(&work.memory, options);
+    paradt__meter_begin(&work.meter, options);
+    out->allocator = work.memory.allocator;
+    out->cell_count = points->count;
+    work.wants = request && request->outputs ? request->outputs : (unsigned)PARADT_VORONOI_VOLUMES;
+    work.tasks = points->count < WORTHWHILE ? 1
+                 : work.options.regions     ? work.options.regions
+                                            : (size_t)PARADT__MOST_TASKS;
+    if (points->count) status = paradt__voronoi_run(&work, triangulation, points, request, out);
+    return paradt__voronoi_end(&work, out, status, points->dim, begun);
+}
+#endif // PARADT_NO_VORONOI
 
 #ifndef PARADT_NO_CHECK
 // ---------------------------------------------------------------------------------------------------------------------

@@ -23,10 +23,18 @@ enum { POINTS_PER_REGION = 20000 }; // in smaller regions, cells that are made t
 // ---------------------------------------------------------------------------------------------------------------------
 // >>settings
 
+typedef enum query { LOCATE, NEAREST, QUERIES } query;
+
 typedef struct settings {
     const char *input;
     const char **outputs;
     size_t output_count;
+    const char **voronoi; // files of the Voronoi diagram
+    size_t voronoi_count;
+    double box[2 * PARADT_MAX_DIM]; // lower, then upper bounds
+    int box_count;                  // numbers in it; 0: no box
+    char *queries[QUERIES];         // input of each kind of queries, from malloc; NULL: none
+    const char *answers[QUERIES];   // and its output
     const char *stats; // file to write; "-": standard output; NULL: no statistics
     paradt_io_want want;
     paradt_method method;
@@ -102,6 +110,52 @@ static const char *take_partition(settings *s, const char *value) {
                                                                              : "a partition is bisection or uniform";
 }
 
+static const char *take_voronoi(settings *s, const char *value) {
+    s->voronoi[s->voronoi_count++] = value;
+    return NULL;
+}
+
+static const char *take_box(settings *s, const char *value) {
+    static const char *const reason = "a box is its lower bounds, then its upper ones: LO,..,HI,..";
+    char *end;
+    s->box_count = 0;
+    for (;;) {
+        if (s->box_count == 2 * PARADT_MAX_DIM || isspace((unsigned char)*value))
+            return reason;
+        s->box[s->box_count] = strtod(value, &end);
+        if (end == value || !paradt_io__finite(s->box[s->box_count]))
+            return reason;
+        s->box_count++;
+        if (*end != ',')
+            return *end ? reason : NULL;
+        value = end + 1;
+    }
+}
+
+// Takes QUERIES=ANSWERS. The last "=" counts, so names of queries may have some.
+static const char *take_queries(settings *s, const char *value, query which) {
+    const char *equals = strrchr(value, '=');
+    if (!equals || equals == value || !equals[1])
+        return "queries and answers are QUERIES=ANSWERS";
+    if (s->queries[which])
+        return "given twice";
+    s->queries[which] = (char *)malloc((size_t)(equals - value) + 1);
+    if (!s->queries[which])
+        return "not enough memory";
+    memcpy(s->queries[which], value, (size_t)(equals - value));
+    s->queries[which][equals - value] = '\0';
+    s->answers[which] = equals + 1;
+    return NULL;
+}
+
+static const char *take_locate(settings *s, const char *value) {
+    return take_queries(s, value, LOCATE);
+}
+
+static const char *take_nearest(settings *s, const char *value) {
+    return take_queries(s, value, NEAREST);
+}
+
 static const char *take_stats(settings *s, const char *value) {
     s->stats = value;
     return NULL;
@@ -123,6 +177,10 @@ static const struct {
     {"--partition", "HOW", take_partition, 0, "bisection (default: equal numbers of points) or uniform (equal boxes)"},
     {"--hull", NULL, NULL, offsetof(settings, hull), "compute the convex hull alone"},
     {"--furthest", NULL, NULL, offsetof(settings, furthest), "the furthest-site triangulation: spheres around all points"},
+    {"--voronoi", "FILE", take_voronoi, 0, "write the Voronoi diagram, with --weights the power diagram; may be repeated"},
+    {"--box", "LO,..,HI,..", take_box, 0, "clip Voronoi cells to a box: its lower bounds, then its upper ones"},
+    {"--locate", "Q=A", take_locate, 0, "find the cells that hold the points of file Q; write cell,face of each to A"},
+    {"--nearest", "Q=A", take_nearest, 0, "find the vertices nearest to the points of file Q; write their indices to A"},
     {"--check", NULL, NULL, offsetof(settings, check), "certify the result in exact arithmetic"},
     {"--stats", "FILE", take_stats, 0, "write statistics as JSON; -: to standard output, instead of the summary"},
     {"--hash", NULL, NULL, offsetof(settings, hash), "print the hash of the set of cells as the last line"},
@@ -144,18 +202,21 @@ static void print_help(void) {
         char left[40];
         snprintf(left, sizeof left, "%s%s%s", options_table[i].name, options_table[i].value ? " " : "",
                  options_table[i].value ? options_table[i].value : "");
-        printf("  %-16s  %s\n", left, options_table[i].about);
+        printf("  %-18s  %s\n", left, options_table[i].about);
     }
     printf(
         "\nOutputs, by extension: %s\n"
         "  .ele comes with .node and .neigh; .off, .ply and .obj hold the hull in 3D, the triangles in 2D\n"
-        "  with --hull: .off, .ply and .obj, and .npy, the array of facets\n\nMethods:",
+        "  with --hull: .off, .ply and .obj, and .npy, the array of facets\n"
+        "  of --voronoi: .csv, .npy (a row a point: index, volume, centroid, number of faces), .vtu, .svg and .png;\n"
+        "  of --locate and --nearest, whose Q is as INPUT: .csv, .npy (a row a query) and .vtu;\n"
+        "  for these three - is a .csv on standard output, instead of the summary\n\nMethods:",
         paradt_io_outputs());
     for (i = 0; i < PARADT_METHOD_COUNT; i++)
         printf(" %s", paradt_method_string((paradt_method)i));
     printf("\n\nKinds of points for gen:KIND:N:SEED:\n");
     for (i = 0; i < paradt_gen_kinds(); i++)
-        printf("  %-16s  %s\n", paradt_gen_name(i), paradt_gen_about(i));
+        printf("  %-18s  %s\n", paradt_gen_name(i), paradt_gen_about(i));
     printf("\nExit status: 0 done, 1 failed, 2 wrong usage, 3 input that can't be read or is not finite\n");
 }
 
@@ -183,6 +244,32 @@ static int take_option(settings *s, int left, char **arguments) {
     if (reason)
         return wrong(text, equals ? NULL : value, reason);
     return equals ? 1 : 2;
+}
+
+// Checks that what is asked of the cells goes together. Returns 1, or 0 after an error.
+static int check_questions(const settings *s) {
+    static const char *const names[] = {"--locate", "--nearest"};
+    size_t texts = s->stats && strcmp(s->stats, "-") == 0, inputs = strcmp(s->input, "-") == 0, i;
+    const char *question = s->voronoi_count ? "--voronoi" : NULL;
+    for (i = 0; i < s->voronoi_count; i++)
+        texts += strcmp(s->voronoi[i], "-") == 0;
+    for (i = 0; i < QUERIES; i++)
+        if (s->queries[i]) {
+            question = names[i];
+            inputs += strcmp(s->queries[i], "-") == 0;
+            texts += strcmp(s->answers[i], "-") == 0;
+        }
+    if (question && s->hull)
+        return wrong(question, NULL, "a hull has no cells; leave --hull out");
+    if (question && s->furthest)
+        return wrong(question, NULL, "not of a furthest-site triangulation; leave --furthest out");
+    if (s->box_count && !s->voronoi_count)
+        return wrong("--box", NULL, "it clips what --voronoi writes, which is missing");
+    if (texts > 1)
+        return wrong("-", NULL, "standard output can take one of the statistics, the cells and the answers");
+    if (inputs > 1)
+        return wrong("-", NULL, "standard input can be read once");
+    return 1;
 }
 
 // Reads the command line. Returns 1, or 0 after an error.
@@ -215,7 +302,7 @@ static int parse(settings *s, int count, char **arguments) {
         return wrong("--furthest", NULL, "only the method lifted-hull makes furthest-site triangulations");
     if (s->furthest && s->check)
         return wrong("--furthest", NULL, "--check certifies Delaunay and regular triangulations and hulls");
-    return 1;
+    return s->help || s->version || check_questions(s);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -331,10 +418,16 @@ typedef struct job {
     paradt_io_points points;
     paradt_triangulation t;
     paradt_hull hull; // with --hull; then `t` is empty but for its dimension and statistics
+    paradt_voronoi voronoi;             // with --voronoi
+    paradt_io_points queries[QUERIES];  // with --locate, --nearest
+    paradt_io_answers answers[QUERIES]; // their values are from malloc
     size_t regions;
     size_t jobs;
     double seconds; // wall time of the triangulation, without reading, writing and checking
     double check_seconds;
+    double voronoi_seconds;
+    double locator_seconds;
+    double query_seconds[QUERIES];
 } job;
 
 // The fields of paradt_stats that the JSON has under their own names. `seconds` is not among them: the JSON's is
@@ -426,19 +519,39 @@ static shapes measure_shapes(const job *j) {
     return found;
 }
 
-// Appends what the JSON says of a hull. Numbers too large for a double are null.
+// Appends a number, or null if it is too large for a double.
+static void say_number(text *out, const char *name, double value) {
+    if (value <= DBL_MAX)
+        say(out, "  \"%s\": %.17g,\n", name, value);
+    else
+        say(out, "  \"%s\": null,\n", name);
+}
+
+// Appends what the JSON says of a hull.
 static void say_hull(text *out, const paradt_hull *hull) {
-    static const char *const names[] = {"area", "area_error", "volume", "volume_error"};
+    static const char *const names[] = {"hull_area", "hull_area_error", "hull_volume", "hull_volume_error"};
     const double values[] = {hull->area, hull->area_error, hull->volume, hull->volume_error};
     int i;
     say(out, "  \"hull_vertices\": %zu,\n  \"hull_points\": %zu,\n  \"hull_planes\": %zu,\n", hull->extreme_count,
         hull->vertex_count, hull->plane_count);
-    for (i = 0; i < 4; i++) {
-        if (values[i] <= DBL_MAX)
-            say(out, "  \"hull_%s\": %.17g,\n", names[i], values[i]);
-        else
-            say(out, "  \"hull_%s\": null,\n", names[i]);
+    for (i = 0; i < 4; i++)
+        say_number(out, names[i], values[i]);
+}
+
+// Appends what the JSON says of the Voronoi diagram and of the queries.
+static void say_questions(text *out, const job *j) {
+    static const char *const names[] = {"seconds_locate", "seconds_nearest"};
+    int i;
+    if (j->s->voronoi_count) {
+        say_number(out, "voronoi_volume", j->voronoi.volume);
+        say(out, "  \"voronoi_faces\": %zu,\n  \"seconds_voronoi\": %.6f,\n", j->voronoi.face_count,
+            j->voronoi_seconds);
     }
+    if (j->s->queries[LOCATE] || j->s->queries[NEAREST])
+        say(out, "  \"seconds_locator\": %.6f,\n", j->locator_seconds);
+    for (i = 0; i < QUERIES; i++)
+        if (j->s->queries[i])
+            say(out, "  \"%s\": %.6f,\n", names[i], j->query_seconds[i]);
 }
 
 // Appends how many flips replaced one simplex of a circuit, two simplices, and so on.
@@ -488,6 +601,7 @@ static char *make_stats(const job *j) {
         say(&out, isfinite(found.radius) ? "%.17g" : "null", found.radius);
         say(&out, ",\n  \"self_centred_cells\": %zu,\n", found.self_centred);
     }
+    say_questions(&out, j);
     say(&out, "  \"seconds\": %.6f\n}\n", j->seconds);
     return result;
 }
@@ -508,8 +622,20 @@ static void print_outputs(const job *j) {
     size_t i;
     if (j->s->check)
         printf("certified    in %.3f s\n", j->check_seconds);
+    if (j->s->voronoi_count)
+        printf("voronoi      %zu faces, volume %.15g, in %.3f s\n", j->voronoi.face_count, j->voronoi.volume,
+               j->voronoi_seconds);
+    if (j->s->queries[LOCATE])
+        printf("located      %zu queries in %.3f s\n", j->queries[LOCATE].count, j->query_seconds[LOCATE]);
+    if (j->s->queries[NEAREST])
+        printf("nearest      of %zu queries in %.3f s\n", j->queries[NEAREST].count, j->query_seconds[NEAREST]);
     for (i = 0; i < j->s->output_count; i++)
         printf("wrote        %s\n", j->s->outputs[i]);
+    for (i = 0; i < j->s->voronoi_count; i++)
+        printf("wrote        %s\n", j->s->voronoi[i]);
+    for (i = 0; i < QUERIES; i++)
+        if (j->s->queries[i])
+            printf("wrote        %s\n", j->s->answers[i]);
 }
 
 static void print_hull_summary(const job *j) {
@@ -551,12 +677,38 @@ static int io_failed(const paradt_io_error *error) {
     return fail(exit_status(error->status), error->text);
 }
 
+// Checks that the box has the points' dimension and an inside. Returns 1, or 0 after an error.
+static int check_box(const settings *s, int dim, paradt_io_error *error) {
+    int k;
+    error->status = PARADT_IO_BAD_NAME;
+    if (s->box_count != 2 * dim) {
+        snprintf(error->text, sizeof error->text, "--box: %d numbers where %d are needed, two a dimension",
+                 s->box_count, 2 * dim);
+        return 0;
+    }
+    for (k = 0; k < dim; k++)
+        if (!(s->box[k] < s->box[dim + k])) {
+            snprintf(error->text, sizeof error->text, "--box: the lower bound %d is not below the upper one", k + 1);
+            return 0;
+        }
+    return 1;
+}
+
 // Checks that all outputs can be written. dim: of the points; 0: not known yet. Returns 1, or 0 after an error.
 static int check_outputs(const settings *s, int dim, paradt_io_error *error) {
     size_t i;
     for (i = 0; i < s->output_count; i++)
         if (!(s->hull ? paradt_io_check_hull_output : paradt_io_check_output)(s->outputs[i], dim, s->input, error))
             return 0;
+    for (i = 0; i < s->voronoi_count; i++)
+        if (!paradt_io_check_voronoi_output(s->voronoi[i], dim, s->input, error))
+            return 0;
+    for (i = 0; i < QUERIES; i++)
+        if (s->queries[i] && (!paradt_io_check_answers_output(s->answers[i], dim, s->input, error) ||
+                              !paradt_io_check_answers_output(s->answers[i], dim, s->queries[i], error)))
+            return 0;
+    if (s->box_count && dim && !check_box(s, dim, error))
+        return 0;
     return !s->stats || strcmp(s->stats, "-") == 0 || paradt_io_check_place(s->stats, s->input, error);
 }
 
@@ -604,7 +756,81 @@ static paradt_status certify(const job *j, const paradt_points *points, const pa
     return paradt_check(&j->t, points, options, fault);
 }
 
-// Triangulates the points and, if asked to, certifies the result. Returns the exit status.
+// Computes the Voronoi diagram: what the files need, and the volumes. Returns the status.
+static paradt_status compute_voronoi(job *j, const paradt_points *points, const paradt_options *options) {
+    paradt_voronoi_request request;
+    paradt_options own = *options;
+    paradt_status status;
+    double begun = paradt_io_now();
+    size_t i;
+    memset(&request, 0, sizeof request);
+    request.outputs = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_FACES;
+    for (i = 0; i < j->s->voronoi_count; i++)
+        request.outputs |= paradt_io_voronoi_needs(j->s->voronoi[i], points->dim);
+    request.box = j->s->box_count ? j->s->box : NULL;
+    own.regions = 4 * j->jobs;
+    status = paradt_voronoi_compute(&j->voronoi, &j->t, points, &request, &own);
+    j->voronoi_seconds = paradt_io_now() - begun;
+    return status;
+}
+
+// Answers the queries of one kind. Returns the status.
+static paradt_status answer(job *j, query which, const paradt_locator *locator, const paradt_options *options) {
+    static const char *const titles[QUERIES][2] = {{"cell", "face"}, {"nearest", NULL}};
+    const paradt_io_points *queries = &j->queries[which];
+    size_t count = queries->count, i;
+    int columns = which == LOCATE ? 2 : 1;
+    paradt_points places = paradt_points_f64(queries->coordinates, count, queries->dim);
+    paradt_location *found = which == LOCATE ? (paradt_location *)malloc((count + 1) * sizeof *found) : NULL;
+    paradt_index *values = (paradt_index *)malloc((count + 1) * (size_t)columns * sizeof *values);
+    paradt_status status = PARADT_ERROR_MEMORY;
+    double begun = paradt_io_now();
+    j->answers[which].queries = queries;
+    j->answers[which].titles = titles[which];
+    j->answers[which].columns = columns;
+    j->answers[which].values = values;
+    if (values && which == NEAREST)
+        status = paradt_nearest(locator, &places, values, options);
+    else if (values && found)
+        status = paradt_locate(locator, &places, found, options);
+    j->query_seconds[which] = paradt_io_now() - begun;
+    for (i = 0; !status && which == LOCATE && i < count; i++) {
+        values[2 * i] = found[i].cell;
+        values[2 * i + 1] = (paradt_index)found[i].face;
+    }
+    free(found);
+    return status;
+}
+
+// Answers all queries. Returns the status.
+static paradt_status answer_all(job *j, const paradt_points *points, const paradt_options *options) {
+    paradt_locator *locator;
+    double begun = paradt_io_now();
+    paradt_status status = paradt_locator_create(&locator, &j->t, points, options);
+    j->locator_seconds = paradt_io_now() - begun;
+    if (!status && j->s->queries[LOCATE])
+        status = answer(j, LOCATE, locator, options);
+    if (!status && j->s->queries[NEAREST])
+        status = answer(j, NEAREST, locator, options);
+    paradt_locator_free(locator);
+    return status;
+}
+
+// Computes what is asked of the triangulation. reason: receives the text of an error. Returns the status.
+static paradt_status ask(job *j, const paradt_points *points, const paradt_options *options, char *reason,
+                         size_t size) {
+    paradt_status status = PARADT_OK;
+    if (j->s->voronoi_count && (status = compute_voronoi(j, points, options)) != PARADT_OK)
+        snprintf(reason, size, "the Voronoi diagram: %s",
+                 j->voronoi.error_text ? j->voronoi.error_text : paradt_status_string(status));
+    else if ((j->s->queries[LOCATE] || j->s->queries[NEAREST]) &&
+             (status = answer_all(j, points, options)) != PARADT_OK)
+        snprintf(reason, size, "the queries: %s", paradt_status_string(status));
+    return status;
+}
+
+// Triangulates the points; if asked to, certifies the result, makes the Voronoi diagram, and answers queries. Returns the
+// exit status.
 static int triangulate(job *j) {
     paradt_points points;
     paradt_options options;
@@ -638,6 +864,8 @@ static int triangulate(job *j) {
         if (fault.reason)
             describe_fault(reason, sizeof reason, &fault, j->s->hull ? "facet" : "cell");
     }
+    if (!status)
+        status = ask(j, &points, &options, reason, sizeof reason);
     work_end(&w);
     if (!status)
         return EXIT_DONE;
@@ -654,6 +882,14 @@ static int write_all(const job *j, const char *stats, paradt_io_error *error) {
                                              j->hull.dim, error)
                       : paradt_io_write(&stage, s->outputs[i], &j->points, &j->t, error)))
             return 0;
+    for (i = 0; i < s->voronoi_count; i++)
+        if (strcmp(s->voronoi[i], "-") != 0 &&
+            !paradt_io_write_voronoi(&stage, s->voronoi[i], &j->points, &j->voronoi, s->box_count > 0, error))
+            return 0;
+    for (i = 0; i < QUERIES; i++)
+        if (s->queries[i] && strcmp(s->answers[i], "-") != 0 &&
+            !paradt_io_write_answers(&stage, s->answers[i], &j->answers[i], error))
+            return 0;
     if (stats && strcmp(s->stats, "-") != 0 && !paradt_io_write_text(&stage, s->stats, stats, error))
         return 0;
     return 1;
@@ -664,14 +900,35 @@ static int flush_output(void) {
     return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_DONE : fail(EXIT_FAILED, "standard output can't be written");
 }
 
+// Prints cells or answers, if they go to standard output. *printed: set to 1 if so. Returns 1, or 0 after an error.
+static int print_questions(const job *j, int *printed, paradt_io_error *error) {
+    const settings *s = j->s;
+    size_t i;
+    for (i = 0; i < s->voronoi_count; i++)
+        if (strcmp(s->voronoi[i], "-") == 0) {
+            *printed = 1;
+            return paradt_io_write_voronoi(&stage, "-", &j->points, &j->voronoi, s->box_count > 0, error);
+        }
+    for (i = 0; i < QUERIES; i++)
+        if (s->queries[i] && strcmp(s->answers[i], "-") == 0) {
+            *printed = 1;
+            return paradt_io_write_answers(&stage, "-", &j->answers[i], error);
+        }
+    return 1;
+}
+
 // Prints what goes to standard output. Returns the exit status.
 static int print_all(const job *j, const char *stats) {
     const settings *s = j->s;
+    paradt_io_error error;
+    int printed = 0;
+    if (!print_questions(j, &printed, &error))
+        return io_failed(&error);
     if (stats && strcmp(s->stats, "-") == 0)
         fputs(stats, stdout);
     else if (!s->quiet && s->hull)
         print_hull_summary(j);
-    else if (!s->quiet)
+    else if (!s->quiet && !printed)
         print_summary(j);
     if (s->hash)
         printf("%016" PRIx64 "\n", hash_of(j));
@@ -686,7 +943,8 @@ static int finish(const job *j) {
     int status;
     if (j->s->stats && !(stats = make_stats(j)))
         return fail(EXIT_FAILED, "not enough memory");
-    if (!paradt_io_stage_init(&stage, j->s->output_count * PARADT_IO_FILES_PER_OUTPUT + 1, &error) ||
+    if (!paradt_io_stage_init(&stage, j->s->output_count * PARADT_IO_FILES_PER_OUTPUT + j->s->voronoi_count + QUERIES + 1,
+                              &error) ||
         !write_all(j, stats, &error))
         status = io_failed(&error);
     else {
@@ -701,35 +959,59 @@ static int finish(const job *j) {
     return status;
 }
 
+// Reads the points and the queries. Returns 1, or 0 after an error.
+static int read_all(job *j, paradt_io_error *error) {
+    const settings *s = j->s;
+    paradt_io_want want = {0, 0};
+    int i;
+    if (!check_outputs(s, s->want.dim, error) || !paradt_io_read(&j->points, s->input, &s->want, error) ||
+        !check_outputs(s, j->points.dim, error))
+        return 0;
+    want.dim = j->points.dim;
+    for (i = 0; i < QUERIES; i++)
+        if (s->queries[i] && !paradt_io_read(&j->queries[i], s->queries[i], &want, error))
+            return 0;
+    return 1;
+}
+
+static void job_free(job *j) {
+    int i;
+    for (i = 0; i < QUERIES; i++) {
+        free((void *)(uintptr_t)j->answers[i].values);
+        paradt_io_free(&j->queries[i]);
+    }
+    paradt_voronoi_free(&j->voronoi);
+    paradt_free(&j->t);
+    paradt_hull_free(&j->hull);
+    paradt_io_free(&j->points);
+}
+
 static int run(const settings *s) {
     paradt_io_error error;
     job j;
     int status;
     memset(&j, 0, sizeof j);
     j.s = s;
-    if (!check_outputs(s, s->want.dim, &error) || !paradt_io_read(&j.points, s->input, &s->want, &error))
-        return io_failed(&error);
-    if (!check_outputs(s, j.points.dim, &error))
+    if (!read_all(&j, &error))
         status = io_failed(&error);
     else {
         plan(&j);
         status = triangulate(&j);
         if (!status)
             status = finish(&j);
-        paradt_free(&j.t);
-        paradt_hull_free(&j.hull);
     }
-    paradt_io_free(&j.points);
+    job_free(&j);
     return status;
 }
 
 int main(int count, char **arguments) {
     settings s;
-    int status;
+    int status, i;
     memset(&s, 0, sizeof s);
-    s.outputs = (const char **)malloc((size_t)count * sizeof *s.outputs);
+    s.outputs = (const char **)malloc(2 * (size_t)count * sizeof *s.outputs);
     if (!s.outputs)
         return fail(EXIT_FAILED, "not enough memory");
+    s.voronoi = s.outputs + count;
     paradt_io_stage_guard(&stage);
     status = parse(&s, count, arguments) ? EXIT_DONE : EXIT_USAGE;
     if (!status && s.help)
@@ -741,5 +1023,7 @@ int main(int count, char **arguments) {
     if (!status)
         status = flush_output();
     free(s.outputs);
+    for (i = 0; i < QUERIES; i++)
+        free(s.queries[i]);
     return status;
 }

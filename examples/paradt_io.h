@@ -28,7 +28,17 @@
 //   .npy            the array of cells
 //   .svg .png       a picture (paradt_picture.h)
 // A hull alone is written as .off, .ply or .obj, with all its facets for faces, or as .npy, the array of facets.
-// Files are written under temporary names and renamed when all are complete: see paradt_io_stage.
+//
+// Outputs of a Voronoi diagram, a row a point:
+//   .csv -          index, volume, centroid and number of faces, below a title. Unbounded cells have the volume inf;
+//   what
+//                   has no centroid, or more than three dimensions, nan.
+//   .npy            the same columns, as float64
+//   .vtu            the bounded cells as polyhedra, in the plane as polygons, with their points' indices and volumes
+//   .svg .png       a picture
+// Outputs of answers to queries, a row a query, integers: .csv and - without a title, .npy, and .vtu: the queries as
+// points with the answers as their data. Files are written under temporary names and renamed when all are complete: see
+// paradt_io_stage.
 
 #ifndef PARADT_IO_H
 #define PARADT_IO_H
@@ -117,6 +127,27 @@ int paradt_io_write(paradt_io_stage *stage, const char *name, const paradt_io_po
 int paradt_io_check_hull_output(const char *name, int dim, const char *input, paradt_io_error *error);
 int paradt_io_write_hull(paradt_io_stage *stage, const char *name, const paradt_io_points *points,
                          const paradt_index *facets, size_t count, int corners, paradt_io_error *error);
+#ifndef PARADT_NO_VORONOI
+// The same for a Voronoi diagram with volumes and what paradt_io_voronoi_needs says. clipped: 1: to a box
+int paradt_io_check_voronoi_output(const char *name, int dim, const char *input, paradt_io_error *error);
+int paradt_io_write_voronoi(paradt_io_stage *stage, const char *name, const paradt_io_points *points,
+                            const paradt_voronoi *voronoi, int clipped, paradt_io_error *error);
+unsigned paradt_io_voronoi_needs(const char *name,
+                                 int dim); // paradt_voronoi_request.outputs, for an output of this name
+#endif
+
+// Answers to queries
+typedef struct paradt_io_answers {
+    const paradt_io_points *queries;
+    const char *const *titles;  // [columns]
+    int columns;                // numbers an answer
+    const paradt_index *values; // [queries->count][columns]
+} paradt_io_answers;
+
+// The same for answers. The name "-" is standard output, which is not of the stage.
+int paradt_io_check_answers_output(const char *name, int dim, const char *input, paradt_io_error *error);
+int paradt_io_write_answers(paradt_io_stage *stage, const char *name, const paradt_io_answers *answers,
+                            paradt_io_error *error);
 // Writes a text into the stage as a file. Returns 1, or 0 with the error filled in.
 int paradt_io_write_text(paradt_io_stage *stage, const char *name, const char *text, paradt_io_error *error);
 
@@ -1551,12 +1582,15 @@ typedef struct paradt_io__out {
     unsigned char bytes[1 << 16];
 } paradt_io__out;
 
+// name: "-": standard output, to which nothing may be left to be written
 static int paradt_io__open(paradt_io__out *out, paradt_io_stage *stage, const char *name, paradt_io_error *error) {
     out->name = name;
     out->reason = 0;
     out->used = 0;
-    out->fd = paradt_io__create(stage, name, error);
-    return out->fd >= 0;
+    out->fd = strcmp(name, "-") == 0 ? dup(STDOUT_FILENO) : paradt_io__create(stage, name, error);
+    if (out->fd >= 0 || strcmp(name, "-") != 0)
+        return out->fd >= 0;
+    return paradt_io__error(error, PARADT_IO_FAILED, "standard output: %s", strerror(errno));
 }
 
 // Writes to the file, past the buffer.
@@ -1627,15 +1661,15 @@ static void paradt_io__put_int(paradt_io__out *out, char before, int64_t value) 
     paradt_io__put(out, at, (size_t)(text + sizeof text - at));
 }
 
-// Writes a blank and a decimal that reads back as the same double; -0 is written as 0. Compares bits, because a
-// processor that flushes subnormal numbers to zero would find them equal to zero.
-static void paradt_io__put_real(paradt_io__out *out, double value) {
+// Writes a character and then a decimal that reads back as the same double; -0 is written as 0. Compares bits, because
+// a processor that flushes subnormal numbers to zero would find them equal to zero.
+static void paradt_io__put_real(paradt_io__out *out, char before, double value) {
     int64_t whole = value > -1e15 && value < 1e15 ? (int64_t)value : 0;
     double back = (double)whole, negative_zero = -0.0;
     if (memcmp(&back, &value, sizeof value) == 0 || memcmp(&negative_zero, &value, sizeof value) == 0)
-        paradt_io__put_int(out, ' ', whole);
+        paradt_io__put_int(out, before, whole);
     else
-        paradt_io__putf(out, " %.17g", value);
+        paradt_io__putf(out, "%c%.17g", before, value);
 }
 
 // Writes an integer of 1 to 8 bytes, little-endian.
@@ -1662,6 +1696,11 @@ typedef struct paradt_io__writer {
     const paradt_io_points *points;
     const paradt_triangulation *t; // of a hull: facets for cells
     int hull;                      // 1: of a hull
+#ifndef PARADT_NO_VORONOI
+    const paradt_voronoi *voronoi;
+    int clipped; // 1: the diagram is clipped to a box
+#endif
+    const paradt_io_answers *answers; // then `points` are the queries
     paradt_io_error *error;
     paradt_io__out out;
 } paradt_io__writer;
@@ -1692,9 +1731,9 @@ static void paradt_io__put_node(paradt_io__writer *w) {
     for (i = 0; i < points->count; i++) {
         paradt_io__put_int(&w->out, ' ', (int64_t)i);
         for (k = 0; k < points->dim; k++)
-            paradt_io__put_real(&w->out, paradt_io__coordinate(w, i, k));
+            paradt_io__put_real(&w->out, ' ', paradt_io__coordinate(w, i, k));
         if (points->weights)
-            paradt_io__put_real(&w->out, points->weights[i]);
+            paradt_io__put_real(&w->out, ' ', points->weights[i]);
         paradt_io__put(&w->out, "\n", 1);
     }
 }
@@ -1755,25 +1794,42 @@ static void paradt_io__put_array(paradt_io__out *out, const char *type, const ch
     *offset += 8 + bytes; // a block begins with its size
 }
 
-// Writes the header of VTK's XML format with arrays appended as raw bytes. sizes: bytes of the points, weights,
-// vertices, ends of cells, and types
-static void paradt_io__put_vtu_header(paradt_io__writer *w, const uint64_t *sizes) {
-    paradt_io__out *out = &w->out;
-    uint64_t offset = 0;
+// Begins a file of VTK's XML format with arrays appended as raw bytes. The arrays are announced first.
+static void paradt_io__begin_vtu(paradt_io__out *out, size_t points, size_t cells) {
     paradt_io__putf(out,
                     "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
                     "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
                     "<Piece NumberOfPoints=\"%zu\" NumberOfCells=\"%zu\">\n<Points>\n",
-                    w->points->count, w->t->cell_count);
+                    points, cells);
+}
+
+static const char *const paradt_io__vtu_bytes =
+    "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+static const char *const paradt_io__vtu_end = "\n</AppendedData>\n</VTKFile>\n";
+static const char *const paradt_io__vtu_index = sizeof(paradt_index) == 8 ? "Int64" : "Int32";
+
+// Announces the arrays. sizes: bytes of the points, weights, vertices, ends of cells, and types
+static void paradt_io__put_vtu_header(paradt_io__writer *w, const uint64_t *sizes) {
+    paradt_io__out *out = &w->out;
+    uint64_t offset = 0;
+    paradt_io__begin_vtu(out, w->points->count, w->t->cell_count);
     paradt_io__put_array(out, "Float64", "Points", 3, &offset, sizes[0]);
     paradt_io__put_text(out, "</Points>\n<PointData>\n");
     if (w->points->weights)
         paradt_io__put_array(out, "Float64", "weight", 1, &offset, sizes[1]);
     paradt_io__put_text(out, "</PointData>\n<Cells>\n");
-    paradt_io__put_array(out, sizeof(paradt_index) == 8 ? "Int64" : "Int32", "connectivity", 1, &offset, sizes[2]);
+    paradt_io__put_array(out, paradt_io__vtu_index, "connectivity", 1, &offset, sizes[2]);
     paradt_io__put_array(out, "Int64", "offsets", 1, &offset, sizes[3]);
     paradt_io__put_array(out, "UInt8", "types", 1, &offset, sizes[4]);
-    paradt_io__put_text(out, "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
+    paradt_io__put_text(out, paradt_io__vtu_bytes);
+}
+
+// Writes the array of the points.
+static void paradt_io__put_vtu_points(paradt_io__writer *w) {
+    size_t i;
+    paradt_io__put_bits(&w->out, 24 * (uint64_t)w->points->count, 8);
+    for (i = 0; i < 3 * w->points->count; i++)
+        paradt_io__put_double(&w->out, paradt_io__coordinate(w, i / 3, (int)(i % 3)));
 }
 
 static void paradt_io__put_vtu(paradt_io__writer *w) {
@@ -1783,9 +1839,7 @@ static void paradt_io__put_vtu(paradt_io__writer *w) {
     size_t corners = (size_t)(w->t->dim + 1);
     uint64_t sizes[5] = {24 * points, 8 * points, cells * corners * sizeof(paradt_index), 8 * cells, cells};
     paradt_io__put_vtu_header(w, sizes);
-    paradt_io__put_bits(out, sizes[0], 8);
-    for (i = 0; i < 3 * points; i++)
-        paradt_io__put_double(out, paradt_io__coordinate(w, i / 3, (int)(i % 3)));
+    paradt_io__put_vtu_points(w);
     if (w->points->weights) {
         paradt_io__put_bits(out, sizes[1], 8);
         for (i = 0; i < points; i++)
@@ -1800,20 +1854,29 @@ static void paradt_io__put_vtu(paradt_io__writer *w) {
     paradt_io__put_bits(out, sizes[4], 8);
     for (i = 0; i < cells; i++)
         paradt_io__put_bits(out, types[corners - 1], 1);
-    paradt_io__put_text(out, "\n</AppendedData>\n</VTKFile>\n");
+    paradt_io__put_text(out, paradt_io__vtu_end);
+}
+
+// kind: i: integers, f: doubles
+static void paradt_io__put_npy_header(paradt_io__out *out, char kind, int size, size_t rows, int columns) {
+    char header[118];
+    int n = snprintf(header, sizeof header, "{'descr': '<%c%d', 'fortran_order': False, 'shape': (%zu, %d), }", kind,
+                     size, rows, columns);
+    memset(header + n, ' ', sizeof header - (size_t)n);
+    header[sizeof header - 1] = '\n';
+    paradt_io__put(out, "\x93NUMPY\1\0\x76\0", 10); // 10 + 118 is a multiple of 64, as the format asks for
+    paradt_io__put(out, header, sizeof header);
+}
+
+static void paradt_io__put_npy_integers(paradt_io__out *out, const paradt_index *values, size_t rows, int columns) {
+    size_t i;
+    paradt_io__put_npy_header(out, 'i', (int)sizeof(paradt_index), rows, columns);
+    for (i = 0; i < rows * (size_t)columns; i++)
+        paradt_io__put_bits(out, (uint64_t)values[i], (int)sizeof(paradt_index));
 }
 
 static void paradt_io__put_npy(paradt_io__writer *w) {
-    char header[118];
-    int n = snprintf(header, sizeof header, "{'descr': '<i%d', 'fortran_order': False, 'shape': (%zu, %d), }",
-                     (int)sizeof(paradt_index), w->t->cell_count, w->t->dim + 1);
-    size_t i;
-    memset(header + n, ' ', sizeof header - (size_t)n);
-    header[sizeof header - 1] = '\n';
-    paradt_io__put(&w->out, "\x93NUMPY\1\0\x76\0", 10); // 10 + 118 is a multiple of 64, as the format asks for
-    paradt_io__put(&w->out, header, sizeof header);
-    for (i = 0; i < w->t->cell_count * (size_t)(w->t->dim + 1); i++)
-        paradt_io__put_bits(&w->out, (uint64_t)w->t->cells[i], (int)sizeof(paradt_index));
+    paradt_io__put_npy_integers(&w->out, w->t->cells, w->t->cell_count, w->t->dim + 1);
 }
 
 // The facets of the hull, turned outward, of a result of three dimensions or more; the cells of other results.
@@ -1866,7 +1929,7 @@ static int paradt_io__surface_of(paradt_io__writer *w, paradt_io__surface *surfa
 static void paradt_io__put_point(paradt_io__writer *w, size_t point) {
     int k, dim = w->points->dim > 3 ? w->points->dim : 3;
     for (k = 0; k < dim; k++)
-        paradt_io__put_real(&w->out, paradt_io__coordinate(w, point, k));
+        paradt_io__put_real(&w->out, ' ', paradt_io__coordinate(w, point, k));
     paradt_io__put(&w->out, "\n", 1);
 }
 
@@ -2011,8 +2074,7 @@ static int paradt_io__write_picture(paradt_io__writer *w,
                                                 const paradt_triangulation *t)) {
     paradt_picture picture;
     int good = draw(&picture, w->points->coordinates, w->points->dim, w->t);
-    good = good ? paradt_io__write_bytes(w, picture.bytes, picture.size)
-                : paradt_io__no_memory(w->error, w->name);
+    good = good ? paradt_io__write_bytes(w, picture.bytes, picture.size) : paradt_io__no_memory(w->error, w->name);
     free(picture.bytes);
     return good;
 }
@@ -2026,14 +2088,336 @@ static int paradt_io__write_png(paradt_io__writer *w) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>answers: writers of answers to queries
+
+static void paradt_io__put_answers_csv(paradt_io__writer *w) {
+    const paradt_io_answers *a = w->answers;
+    size_t i;
+    int k;
+    for (i = 0; i < a->queries->count; i++) {
+        for (k = 0; k < a->columns; k++) {
+            if (k)
+                paradt_io__put_int(&w->out, ',', (int64_t)a->values[i * (size_t)a->columns + (size_t)k]);
+            else
+                paradt_io__putf(&w->out, "%lld", (long long)a->values[i * (size_t)a->columns]);
+        }
+        paradt_io__put(&w->out, "\n", 1);
+    }
+}
+
+static void paradt_io__put_answers_npy(paradt_io__writer *w) {
+    paradt_io__put_npy_integers(&w->out, w->answers->values, w->answers->queries->count, w->answers->columns);
+}
+
+// Each query is a point and a cell of one vertex.
+static void paradt_io__put_answers_vtu(paradt_io__writer *w) {
+    const paradt_io_answers *a = w->answers;
+    paradt_io__out *out = &w->out;
+    size_t count = a->queries->count, i;
+    uint64_t offset = 0;
+    int k;
+    paradt_io__begin_vtu(out, count, count);
+    paradt_io__put_array(out, "Float64", "Points", 3, &offset, 24 * count);
+    paradt_io__put_text(out, "</Points>\n<PointData>\n");
+    for (k = 0; k < a->columns; k++)
+        paradt_io__put_array(out, paradt_io__vtu_index, a->titles[k], 1, &offset, count * sizeof(paradt_index));
+    paradt_io__put_text(out, "</PointData>\n<Cells>\n");
+    paradt_io__put_array(out, "Int64", "connectivity", 1, &offset, 8 * count);
+    paradt_io__put_array(out, "Int64", "offsets", 1, &offset, 8 * count);
+    paradt_io__put_array(out, "UInt8", "types", 1, &offset, count);
+    paradt_io__put_text(out, paradt_io__vtu_bytes);
+    paradt_io__put_vtu_points(w);
+    for (k = 0; k < a->columns; k++) {
+        paradt_io__put_bits(out, count * sizeof(paradt_index), 8);
+        for (i = 0; i < count; i++)
+            paradt_io__put_bits(out, (uint64_t)a->values[i * (size_t)a->columns + (size_t)k],
+                                (int)sizeof(paradt_index));
+    }
+    for (k = 0; k < 2; k++) {
+        paradt_io__put_bits(out, 8 * count, 8);
+        for (i = 0; i < count; i++)
+            paradt_io__put_bits(out, i + (size_t)k, 8);
+    }
+    paradt_io__put_bits(out, count, 8);
+    for (i = 0; i < count; i++)
+        paradt_io__put_bits(out, 1, 1);
+    paradt_io__put_text(out, paradt_io__vtu_end);
+}
+
+static int paradt_io__write_answers_csv(paradt_io__writer *w) {
+    return paradt_io__write_plain(w, paradt_io__put_answers_csv);
+}
+
+static int paradt_io__write_answers_npy(paradt_io__writer *w) {
+    return paradt_io__write_plain(w, paradt_io__put_answers_npy);
+}
+
+static int paradt_io__write_answers_vtu(paradt_io__writer *w) {
+    return paradt_io__write_plain(w, paradt_io__put_answers_vtu);
+}
+
+#ifndef PARADT_NO_VORONOI
+// ---------------------------------------------------------------------------------------------------------------------
+// >>voronoi: writers of Voronoi diagrams
+
+// Returns what the row of a cell has in a column: index, volume, centroid, number of faces.
+static double paradt_io__voronoi_number(const paradt_io__writer *w, size_t cell, int column) {
+    const paradt_voronoi *v = w->voronoi;
+    if (column == 0)
+        return (double)cell;
+    if (column == 1)
+        return v->volumes[cell];
+    if (column == w->points->dim + 2)
+        return (double)(v->first_face[cell + 1] - v->first_face[cell]);
+    return v->centroids ? v->centroids[cell * (size_t)v->dim + (size_t)(column - 2)] : nan("");
+}
+
+static void paradt_io__put_voronoi_csv(paradt_io__writer *w) {
+    size_t i;
+    int k, dim = w->points->dim;
+    paradt_io__put_text(&w->out, "index,volume");
+    for (k = 0; k < dim; k++)
+        if (dim <= 3)
+            paradt_io__putf(&w->out, ",c%c", "xyz"[k]);
+        else
+            paradt_io__putf(&w->out, ",c%d", k + 1);
+    paradt_io__put_text(&w->out, ",faces\n");
+    for (i = 0; i < w->points->count; i++) {
+        paradt_io__putf(&w->out, "%zu", i);
+        for (k = 1; k < dim + 3; k++) {
+            double value = paradt_io__voronoi_number(w, i, k);
+            if (paradt_io__finite(value))
+                paradt_io__put_real(&w->out, ',', value);
+            else
+                paradt_io__put_text(&w->out, k == 1 ? ",inf" : ",nan");
+        }
+        paradt_io__put(&w->out, "\n", 1);
+    }
+}
+
+static void paradt_io__put_voronoi_npy(paradt_io__writer *w) {
+    size_t i;
+    int k, columns = w->points->dim + 3;
+    paradt_io__put_npy_header(&w->out, 'f', 8, w->points->count, columns);
+    for (i = 0; i < w->points->count; i++)
+        for (k = 0; k < columns; k++)
+            paradt_io__put_double(&w->out, paradt_io__voronoi_number(w, i, k));
+}
+
+// The bounded cells as VTK wants them: of each cell its vertices, none twice, in the plane in order around it; in space
+// the stream of its faces, too: their number, and of each face the number of its vertices and these.
+typedef struct paradt_io__polyhedra {
+    size_t cells;           // number of cells
+    paradt_index *which;    // [cells] the cells
+    size_t *vertex_ends;    // [cells] where the vertices of each cell end
+    size_t *face_ends;      // [cells] where the face stream of each cell ends
+    paradt_index *numbers;  // [vertex_count] of the diagram's vertices, among those that are used
+    size_t used;            // number of vertices that are used
+    paradt_index *vertices; // [vertex_ends[cells - 1]] numbers of the diagram
+} paradt_io__polyhedra;
+
+static int paradt_io__compare_indices(const void *a, const void *b) {
+    const paradt_index x = *(const paradt_index *)a, y = *(const paradt_index *)b;
+    return (x > y) - (x < y);
+}
+
+// Copies the vertices of a cell, none twice, to `into`, if there is room. Returns how much room they take before those
+// that come twice are dropped. *count: their number; 0: the cell is not drawn
+static size_t paradt_io__cell_vertices(const paradt_voronoi *v, size_t cell, paradt_index *into, size_t room,
+                                       size_t *count) {
+    size_t first = v->first_face[cell], last = v->first_face[cell + 1], total = 0, i, j, n = 0;
+    *count = 0;
+    for (i = first; i < last; i++)
+        total += v->first_vertex[v->faces[i] + 1] - v->first_vertex[v->faces[i]];
+    if (total > room || v->unbounded[cell])
+        return v->unbounded[cell] ? 0 : total;
+    for (i = first; i < last; i++)
+        for (j = v->first_vertex[v->faces[i]]; j < v->first_vertex[v->faces[i] + 1]; j++)
+            into[n++] = v->polygons[j];
+    if (n)
+        qsort(into, n, sizeof *into, paradt_io__compare_indices);
+    for (i = 0; i < n; i++)
+        if (i == 0 || into[i] != into[i - 1])
+            into[(*count)++] = into[i];
+    return total;
+}
+
+// Fills the vertices of all cells, from number 0 on. Returns 0 if there is no memory.
+static int paradt_io__fill_polyhedra(paradt_io__polyhedra *p, const paradt_voronoi *v) {
+    size_t capacity = 0, n = 0, stream = 0, cell, i;
+    for (cell = 0; cell < v->cell_count; cell++) {
+        size_t count, total = v->dim == 2 ? v->first_face[cell + 1] - v->first_face[cell]
+                                          : paradt_io__cell_vertices(v, cell, NULL, 0, &count);
+        if (n + total > capacity) {
+            paradt_index *larger;
+            capacity = 2 * (n + total) + 1024;
+            larger = (paradt_index *)realloc(p->vertices, capacity * sizeof *larger);
+            if (!larger)
+                return 0;
+            p->vertices = larger;
+        }
+        if (v->dim == 2) {
+            long outline = paradt_picture_outline(v, cell, p->vertices + n);
+            if (outline < 0)
+                return 0;
+            count = (size_t)outline;
+        } else
+            paradt_io__cell_vertices(v, cell, p->vertices + n, total, &count);
+        if (!count)
+            continue;
+        n += count;
+        stream += 1 + v->first_face[cell + 1] - v->first_face[cell] + total;
+        p->which[p->cells] = (paradt_index)cell;
+        p->vertex_ends[p->cells] = n;
+        p->face_ends[p->cells++] = stream;
+    }
+    for (i = 0; i < v->vertex_count; i++)
+        p->numbers[i] = -1;
+    for (i = 0; i < n; i++)
+        p->numbers[p->vertices[i]] = 0;
+    for (i = 0; i < v->vertex_count; i++)
+        if (p->numbers[i] == 0)
+            p->numbers[i] = (paradt_index)p->used++;
+    return 1;
+}
+
+// Writes one number a cell.
+static void paradt_io__put_cell_data(paradt_io__out *out, const paradt_io__polyhedra *p, const paradt_voronoi *v) {
+    size_t i;
+    paradt_io__put_bits(out, 8 * (uint64_t)p->cells, 8);
+    for (i = 0; i < p->cells; i++)
+        paradt_io__put_bits(out, (uint64_t)p->which[i], 8);
+    paradt_io__put_bits(out, 8 * (uint64_t)p->cells, 8);
+    for (i = 0; i < p->cells; i++)
+        paradt_io__put_double(out, v->volumes[p->which[i]]);
+}
+
+static void paradt_io__put_ends(paradt_io__out *out, const size_t *ends, size_t count) {
+    size_t i;
+    paradt_io__put_bits(out, 8 * (uint64_t)count, 8);
+    for (i = 0; i < count; i++)
+        paradt_io__put_bits(out, ends[i], 8);
+}
+
+// Writes the stream of the faces. Those of a cell that is their second side are turned, so all look outward.
+static void paradt_io__put_face_stream(paradt_io__out *out, const paradt_io__polyhedra *p, const paradt_voronoi *v) {
+    const int size = (int)sizeof(paradt_index);
+    size_t i, j, k;
+    paradt_io__put_bits(out, (uint64_t)(p->cells ? p->face_ends[p->cells - 1] : 0) * sizeof(paradt_index), 8);
+    for (i = 0; i < p->cells; i++) {
+        size_t cell = (size_t)p->which[i];
+        paradt_io__put_bits(out, v->first_face[cell + 1] - v->first_face[cell], size);
+        for (j = v->first_face[cell]; j < v->first_face[cell + 1]; j++) {
+            size_t face = (size_t)v->faces[j], first = v->first_vertex[face], count = v->first_vertex[face + 1] - first;
+            int turned = v->sides[2 * face] != p->which[i];
+            paradt_io__put_bits(out, count, size);
+            for (k = 0; k < count; k++)
+                paradt_io__put_bits(out, (uint64_t)p->numbers[v->polygons[turned ? first + count - 1 - k : first + k]],
+                                    size);
+        }
+    }
+}
+
+static void paradt_io__put_polyhedra(paradt_io__writer *w, const paradt_io__polyhedra *p) {
+    const paradt_voronoi *v = w->voronoi;
+    paradt_io__out *out = &w->out;
+    size_t ends = p->cells ? p->vertex_ends[p->cells - 1] : 0, stream = p->cells ? p->face_ends[p->cells - 1] : 0, i;
+    uint64_t offset = 0;
+    int k;
+    paradt_io__begin_vtu(out, p->used, p->cells);
+    paradt_io__put_array(out, "Float64", "Points", 3, &offset, 24 * p->used);
+    paradt_io__put_text(out, "</Points>\n<CellData>\n");
+    paradt_io__put_array(out, "Int64", "point", 1, &offset, 8 * p->cells);
+    paradt_io__put_array(out, "Float64", "volume", 1, &offset, 8 * p->cells);
+    paradt_io__put_text(out, "</CellData>\n<Cells>\n");
+    paradt_io__put_array(out, paradt_io__vtu_index, "connectivity", 1, &offset, ends * sizeof(paradt_index));
+    paradt_io__put_array(out, "Int64", "offsets", 1, &offset, 8 * p->cells);
+    paradt_io__put_array(out, "UInt8", "types", 1, &offset, p->cells);
+    if (v->dim == 3) {
+        paradt_io__put_array(out, paradt_io__vtu_index, "faces", 1, &offset, stream * sizeof(paradt_index));
+        paradt_io__put_array(out, "Int64", "faceoffsets", 1, &offset, 8 * p->cells);
+    }
+    paradt_io__put_text(out, paradt_io__vtu_bytes);
+    paradt_io__put_bits(out, 24 * (uint64_t)p->used, 8);
+    for (i = 0; i < v->vertex_count; i++)
+        for (k = 0; p->numbers[i] >= 0 && k < 3; k++)
+            paradt_io__put_double(out, k < v->dim ? v->vertices[i * (size_t)v->dim + (size_t)k] : 0);
+    paradt_io__put_cell_data(out, p, v);
+    paradt_io__put_bits(out, (uint64_t)ends * sizeof(paradt_index), 8);
+    for (i = 0; i < ends; i++)
+        paradt_io__put_bits(out, (uint64_t)p->numbers[p->vertices[i]], (int)sizeof(paradt_index));
+    paradt_io__put_ends(out, p->vertex_ends, p->cells);
+    paradt_io__put_bits(out, p->cells, 8);
+    for (i = 0; i < p->cells; i++)
+        paradt_io__put_bits(out, v->dim == 3 ? 42 : 7, 1); // polyhedron, polygon
+    if (v->dim == 3) {
+        paradt_io__put_face_stream(out, p, v);
+        paradt_io__put_ends(out, p->face_ends, p->cells);
+    }
+    paradt_io__put_text(out, paradt_io__vtu_end);
+}
+
+static int paradt_io__write_voronoi_vtu(paradt_io__writer *w) {
+    const paradt_voronoi *v = w->voronoi;
+    paradt_io__polyhedra p;
+    int good;
+    memset(&p, 0, sizeof p);
+    p.which = (paradt_index *)malloc((v->cell_count + 1) * sizeof *p.which);
+    p.vertex_ends = (size_t *)malloc((v->cell_count + 1) * sizeof *p.vertex_ends);
+    p.face_ends = (size_t *)malloc((v->cell_count + 1) * sizeof *p.face_ends);
+    p.numbers = (paradt_index *)malloc((v->vertex_count + 1) * sizeof *p.numbers);
+    if (!p.which || !p.vertex_ends || !p.face_ends || !p.numbers || !paradt_io__fill_polyhedra(&p, v))
+        good = paradt_io__no_memory(w->error, w->name);
+    else if ((good = paradt_io__open(&w->out, w->stage, w->name, w->error))) {
+        paradt_io__put_polyhedra(w, &p);
+        good = paradt_io__close(&w->out, w->error);
+    }
+    free(p.which);
+    free(p.vertex_ends);
+    free(p.face_ends);
+    free(p.numbers);
+    free(p.vertices);
+    return good;
+}
+
+static int paradt_io__write_voronoi_csv(paradt_io__writer *w) {
+    return paradt_io__write_plain(w, paradt_io__put_voronoi_csv);
+}
+
+static int paradt_io__write_voronoi_npy(paradt_io__writer *w) {
+    return paradt_io__write_plain(w, paradt_io__put_voronoi_npy);
+}
+
+static int paradt_io__write_voronoi_picture(paradt_io__writer *w,
+                                            int (*draw)(paradt_picture *picture, const double *coordinates,
+                                                        const paradt_voronoi *v, int clipped)) {
+    paradt_picture picture;
+    int good = draw(&picture, w->points->coordinates, w->voronoi, w->clipped);
+    good = good ? paradt_io__write_bytes(w, picture.bytes, picture.size) : paradt_io__no_memory(w->error, w->name);
+    free(picture.bytes);
+    return good;
+}
+
+static int paradt_io__write_voronoi_svg(paradt_io__writer *w) {
+    return paradt_io__write_voronoi_picture(w, paradt_picture_voronoi_svg);
+}
+
+static int paradt_io__write_voronoi_png(paradt_io__writer *w) {
+    return paradt_io__write_voronoi_picture(w, paradt_picture_voronoi_png);
+}
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>writing
 
-static const struct paradt_io__output {
-    const char *extension;
+typedef struct paradt_io__output {
+    const char *extension; // NULL: the end of a table
     int (*write)(paradt_io__writer *w);
-    int max_dim; // of the points
-    int hulls;   // 1: holds the facets of a hull, too
-} paradt_io__outputs[] = {
+    int max_dim;    // of the points
+    unsigned needs; // of a triangulation: 1: holds the facets of a hull, too; of a Voronoi diagram: outputs
+} paradt_io__output;
+
+static const paradt_io__output paradt_io__outputs[] = {
     {".ele", paradt_io__write_ele, PARADT_MAX_DIM, 0},
     {".vtu", paradt_io__write_vtu, 3, 0},
     {".off", paradt_io__write_off, PARADT_MAX_DIM, 1},
@@ -2042,17 +2426,37 @@ static const struct paradt_io__output {
     {".npy", paradt_io__write_npy, PARADT_MAX_DIM, 1},
     {".svg", paradt_io__write_svg, 3, 0},
     {".png", paradt_io__write_png, 3, 0},
+    {NULL, NULL, 0, 0},
 };
+
+static const paradt_io__output paradt_io__answers_outputs[] = {
+    {".csv", paradt_io__write_answers_csv, PARADT_MAX_DIM, 0},
+    {".npy", paradt_io__write_answers_npy, PARADT_MAX_DIM, 0},
+    {".vtu", paradt_io__write_answers_vtu, 3, 0},
+    {NULL, NULL, 0, 0},
+};
+
+#ifndef PARADT_NO_VORONOI
+static const paradt_io__output paradt_io__voronoi_outputs[] = {
+    {".csv", paradt_io__write_voronoi_csv, PARADT_MAX_DIM, PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_FACES},
+    {".npy", paradt_io__write_voronoi_npy, PARADT_MAX_DIM, PARADT_VORONOI_CENTROIDS | PARADT_VORONOI_FACES},
+    {".vtu", paradt_io__write_voronoi_vtu, 3, PARADT_VORONOI_FACES | PARADT_VORONOI_POLYGONS},
+    {".svg", paradt_io__write_voronoi_svg, 3, PARADT_VORONOI_FACES | PARADT_VORONOI_POLYGONS},
+    {".png", paradt_io__write_voronoi_png, 3, PARADT_VORONOI_FACES | PARADT_VORONOI_POLYGONS},
+    {NULL, NULL, 0, 0},
+};
+#endif
 
 const char *paradt_io_outputs(void) {
     return ".ele .vtu .off .ply .obj .npy .svg .png";
 }
 
-static const struct paradt_io__output *paradt_io__output_of(const char *name) {
-    size_t i;
-    for (i = 0; i < sizeof paradt_io__outputs / sizeof *paradt_io__outputs; i++)
-        if (strcasecmp(paradt_io__extension(name), paradt_io__outputs[i].extension) == 0)
-            return &paradt_io__outputs[i];
+// Finds the row of a table for a name; NULL: none. The name "-" of what has a .csv is the row of that.
+static const paradt_io__output *paradt_io__output_of(const paradt_io__output *table, const char *name) {
+    const char *extension = strcmp(name, "-") == 0 ? ".csv" : paradt_io__extension(name);
+    for (; table->extension; table++)
+        if (strcasecmp(extension, table->extension) == 0)
+            return table;
     return NULL;
 }
 
@@ -2069,8 +2473,8 @@ int paradt_io_check_place(const char *name, const char *input, paradt_io_error *
         folder[slash - name + 1] = '\0';
     }
     if (access(folder, W_OK) != 0)
-        good = paradt_io__error(error, PARADT_IO_FAILED, "%.450s: %s: the folder %.450s", name, strerror(errno),
-                                folder);
+        good =
+            paradt_io__error(error, PARADT_IO_FAILED, "%.450s: %s: the folder %.450s", name, strerror(errno), folder);
     else if (stat(name, &here) == 0) {
         if (S_ISDIR(here.st_mode))
             good = paradt_io__error(error, PARADT_IO_FAILED, "%.900s: %s", name, strerror(EISDIR));
@@ -2083,16 +2487,19 @@ int paradt_io_check_place(const char *name, const char *input, paradt_io_error *
     return good;
 }
 
-int paradt_io_check_output(const char *name, int dim, const char *input, paradt_io_error *error) {
+// Checks a name by a table. outputs: the extensions of the table, for an error
+static int paradt_io__check(const paradt_io__output *table, const char *outputs, const char *name, int dim,
+                            const char *input, paradt_io_error *error) {
     static const char *const companions[] = {".node", ".neigh"};
-    const struct paradt_io__output *output = paradt_io__output_of(name);
+    const paradt_io__output *output = paradt_io__output_of(table, name);
     size_t i;
     if (!output)
-        return paradt_io__error(error, PARADT_IO_BAD_NAME, "%.700s: the name does not end in one of %s", name,
-                                paradt_io_outputs());
+        return paradt_io__error(error, PARADT_IO_BAD_NAME, "%.700s: the name does not end in one of %s", name, outputs);
     if (dim > output->max_dim)
         return paradt_io__error(error, PARADT_IO_BAD_NAME, "%.700s: %s files hold at most %d dimensions, not %d", name,
                                 output->extension, output->max_dim, dim);
+    if (strcmp(name, "-") == 0)
+        return 1;
     if (!paradt_io_check_place(name, input, error))
         return 0;
     for (i = 0; output->write == paradt_io__write_ele && i < 2; i++) {
@@ -2105,13 +2512,33 @@ int paradt_io_check_output(const char *name, int dim, const char *input, paradt_
     return 1;
 }
 
+int paradt_io_check_output(const char *name, int dim, const char *input, paradt_io_error *error) {
+    return paradt_io__check(paradt_io__outputs, paradt_io_outputs(), name, dim, input, error);
+}
+
 int paradt_io_check_hull_output(const char *name, int dim, const char *input, paradt_io_error *error) {
-    const struct paradt_io__output *output = paradt_io__output_of(name);
-    if (output && !output->hulls)
+    const paradt_io__output *output = paradt_io__output_of(paradt_io__outputs, name);
+    if (output && !output->needs)
         return paradt_io__error(error, PARADT_IO_BAD_NAME,
                                 "%.700s: %s files hold no hull; .off, .ply, .obj and .npy do", name, output->extension);
     return paradt_io_check_output(name, dim, input, error);
 }
+
+int paradt_io_check_answers_output(const char *name, int dim, const char *input, paradt_io_error *error) {
+    return paradt_io__check(paradt_io__answers_outputs, ".csv .npy .vtu", name, dim, input, error);
+}
+
+#ifndef PARADT_NO_VORONOI
+int paradt_io_check_voronoi_output(const char *name, int dim, const char *input, paradt_io_error *error) {
+    return paradt_io__check(paradt_io__voronoi_outputs, ".csv .npy .vtu .svg .png", name, dim, input, error);
+}
+
+unsigned paradt_io_voronoi_needs(const char *name, int dim) {
+    const paradt_io__output *output = paradt_io__output_of(paradt_io__voronoi_outputs, name);
+    unsigned needs = output ? output->needs : 0;
+    return dim > 3 ? needs & ~(unsigned)PARADT_VORONOI_CENTROIDS : needs;
+}
+#endif
 
 // Allocates what a writer gets. Returns NULL after an error.
 static paradt_io__writer *paradt_io__writer_of(paradt_io_stage *stage, const char *name, paradt_io_error *error) {
@@ -2138,7 +2565,7 @@ int paradt_io_write(paradt_io_stage *stage, const char *name, const paradt_io_po
         return 0;
     w->points = points;
     w->t = triangulation;
-    good = paradt_io__output_of(name)->write(w);
+    good = paradt_io__output_of(paradt_io__outputs, name)->write(w);
     free(w);
     return good;
 }
@@ -2160,10 +2587,45 @@ int paradt_io_write_hull(paradt_io_stage *stage, const char *name, const paradt_
     w->points = points;
     w->t = &cells;
     w->hull = 1;
-    good = paradt_io__output_of(name)->write(w);
+    good = paradt_io__output_of(paradt_io__outputs, name)->write(w);
     free(w);
     return good;
 }
+
+int paradt_io_write_answers(paradt_io_stage *stage, const char *name, const paradt_io_answers *answers,
+                            paradt_io_error *error) {
+    paradt_io__writer *w;
+    int good;
+    if (!paradt_io_check_answers_output(name, answers->queries->dim, NULL, error))
+        return 0;
+    w = paradt_io__writer_of(stage, name, error);
+    if (!w)
+        return 0;
+    w->points = answers->queries;
+    w->answers = answers;
+    good = paradt_io__output_of(paradt_io__answers_outputs, name)->write(w);
+    free(w);
+    return good;
+}
+
+#ifndef PARADT_NO_VORONOI
+int paradt_io_write_voronoi(paradt_io_stage *stage, const char *name, const paradt_io_points *points,
+                            const paradt_voronoi *voronoi, int clipped, paradt_io_error *error) {
+    paradt_io__writer *w;
+    int good;
+    if (!paradt_io_check_voronoi_output(name, points->dim, NULL, error))
+        return 0;
+    w = paradt_io__writer_of(stage, name, error);
+    if (!w)
+        return 0;
+    w->points = points;
+    w->voronoi = voronoi;
+    w->clipped = clipped;
+    good = paradt_io__output_of(paradt_io__voronoi_outputs, name)->write(w);
+    free(w);
+    return good;
+}
+#endif
 
 int paradt_io_write_text(paradt_io_stage *stage, const char *name, const char *text, paradt_io_error *error) {
     paradt_io__writer *w = paradt_io__writer_of(stage, name, error);

@@ -37,6 +37,9 @@ int main() { return 0; }' -m32 ;;
     wasi-libc) test -e /usr/include/wasm32-wasi/stdio.h ;;
     lld) command -v wasm-ld >/dev/null 2>&1 ;;
     libclang-rt-dev-wasm32) ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/*wasm32* >/dev/null 2>&1 ;;
+    python3-vtk9) python3 -c 'import vtkmodules' >/dev/null 2>&1 || /usr/bin/python3 -c 'import vtkmodules' >/dev/null 2>&1 ;;
+    voro++-dev) compiles "$CXX" cc '#include <voro++/voro++.hh>
+int main() { return 0; }' -lvoro++ ;;
     nodejs) command -v node >/dev/null 2>&1 ;;
     libgcc-12-dev-arm64-cross) test -d /usr/lib/gcc-cross/aarch64-linux-gnu ;;
     mpich) command -v mpiexec >/dev/null 2>&1 ;;
@@ -47,7 +50,7 @@ int main() { return 0; }' -m32 ;;
 
 wanted="libcmocka-dev libgmp-dev g++ libcgal-dev libeigen3-dev gcc gcc-multilib g++-multilib tcc clang python3 mpich libmpich-dev
     qemu-user binutils-aarch64-linux-gnu libc6-dev-arm64-cross libgcc-12-dev-arm64-cross
-    lld wasi-libc libclang-rt-dev-wasm32 nodejs"
+    lld wasi-libc libclang-rt-dev-wasm32 nodejs python3-vtk9 voro++-dev"
 missing() {
     for package in $wanted; do
         has "$package" || printf '%s ' "$package"
@@ -82,6 +85,7 @@ fi
     has libcmocka-dev && echo HAVE_CMOCKA=1
     has libgmp-dev && echo HAVE_GMP=1
     has g++ && has libcgal-dev && has libeigen3-dev && echo HAVE_CGAL=1
+    has g++ && has voro++-dev && echo HAVE_VORO=1
     compiles "$CC" c 'int main(void) { return 0; }' -fsanitize=address,undefined && "$work/probe" 2>/dev/null &&
         echo HAVE_SANITIZERS=1
     compiles "$CC" c 'int main(void) { return 0; }' -fsanitize=thread && "$work/probe" 2>/dev/null &&

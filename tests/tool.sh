@@ -47,7 +47,7 @@ hash_of() { "$tool" --hash --quiet "$@" 2>>err; }
 # --- options ----------------------------------------------------------------------------------------------------------
 
 run --help
-done_well && grep -q 'gen:KIND:N:SEED' out && grep -q '  --weights ' out && grep -q '  plummer ' out
+done_well && grep -q 'gen:KIND:N:SEED' out && grep -q '  --locate Q=A ' out && grep -q '  --weights ' out && grep -q '  plummer ' out
 report $? help_names_options_formats_and_kinds
 run --version
 done_well && grep -Eq '^paradt [0-9]+\.[0-9]+\.[0-9]+$' out
@@ -81,6 +81,21 @@ hull_of_four_dimensions_as_ply --hull --dim 4 -o out.ply gen:uniform:10:1
 furthest_hull --furthest --hull gen:uniform:10:1
 furthest_by_insertion --furthest --method bowyer-watson gen:uniform:10:1
 furthest_certified --furthest --check gen:uniform:10:1
+cells_of_a_hull --hull --voronoi out.csv gen:uniform:10:1
+cells_as_a_mesh --voronoi out.obj gen:uniform:10:1
+box_without_cells --box 0,0,0,1,1,1 gen:uniform:10:1
+box_with_words --box 0,0,zero,1,1,1 --voronoi out.csv gen:uniform:10:1
+box_with_a_hole --box 0,0,,1,1,1 --voronoi out.csv gen:uniform:10:1
+box_infinite --box 0,0,0,1,1,inf --voronoi out.csv gen:uniform:10:1
+box_too_long --box 0,0,0,0,0,0,0,0,1,1,1,1,1,1,1,1,1 --voronoi out.csv gen:uniform:10:1
+queries_without_answers --locate gen:uniform:10:1 gen:uniform:10:1
+answers_without_queries --nearest =out.csv gen:uniform:10:1
+answers_as_text --locate gen:uniform:10:1=out.txt gen:uniform:10:1
+queries_of_a_hull --hull --locate gen:uniform:10:1=- gen:uniform:10:1
+queries_furthest --furthest --nearest gen:uniform:10:1=- gen:uniform:10:1
+queries_twice --locate gen:uniform:9:1=a.csv --locate gen:uniform:9:1=b.csv gen:uniform:10:1
+two_texts --locate gen:uniform:10:1=- --stats - gen:uniform:10:1
+one_input_for_both --locate -=a.csv -
 no_such_kind gen:marbles:10:1
 no_count gen:uniform::1
 count_too_large gen:uniform:1e30:1
@@ -426,6 +441,148 @@ write none.node '0 3 0 0\n'
 run --quiet comment.xyz && run --quiet none.node
 done_well
 report $? no_points_are_no_error
+
+# --- queries ----------------------------------------------------------------------------------------------------------
+
+write plane.txt '0 0\n4 0\n4 3\n0 3\n1 1\n'
+write places.csv 'x,y\n1,1\n2,0\n0.5,0.25\n9,9\n2.5,2\n1 1.4\n'
+run --dim 2 -o plane.ele --locate places.csv=- --nearest places.csv=near.csv plane.txt
+done_well && awk '
+    FILENAME == "plane.ele" { if (FNR > 1) for (k = 0; k < 3; k++) vertex[$1, k] = $(k + 2); next }
+    {
+        split($0, answer, ",")
+        for (n = k = 0; k < 3; k++) if (int(answer[2] / 2 ^ k) % 2) { n++; last = vertex[answer[1], k] }
+        faces = faces n
+        if (FNR == 1) first = last
+    }
+    END { exit !(faces == "123023" && first == 4) }' plane.ele out && [ "$(tr '\n' ' ' <near.csv)" = "4 4 0 2 4 4 " ]
+report $? places_on_a_vertex_on_an_edge_inside_and_outside
+
+run --quiet --dim 2 -o seen.ele --locate gen:uniform:300:2=cells.csv --nearest gen:uniform:300:2=near.csv gen:uniform:200:1
+run --quiet --dim 2 -o asked.ele gen:uniform:300:2
+done_well && awk '
+    FNR == 1 { file++; if (file < 4) next }
+    file == 1 { x[$1] = $2; y[$1] = $3; next }
+    file == 2 { for (k = 0; k < 3; k++) vertex[$1, k] = $(k + 2); next }
+    file == 3 { qx[$1] = $2; qy[$1] = $3; next }
+    file == 4 { split($0, answer, ","); cell[FNR - 1] = answer[1]; face[FNR - 1] = answer[2]; next }
+    {
+        q = FNR - 1; best = 9
+        for (i in x) { d = (x[i] - qx[q]) ^ 2 + (y[i] - qy[q]) ^ 2; if (d < best) { best = d; nearest = i } }
+        if (nearest != $1) wrong++
+        for (outside = k = 0; k < 3; k++) {
+            a = vertex[cell[q], k]; b = vertex[cell[q], (k + 1) % 3]
+            if ((x[b] - x[a]) * (qy[q] - y[a]) - (y[b] - y[a]) * (qx[q] - x[a]) < 0) outside++
+        }
+        if (!outside != (face[q] == 7) || (outside && face[q] != 0)) wrong++
+        answers++
+    }
+    END { exit !(answers == 300 && !wrong) }' seen.node seen.ele asked.node cells.csv near.csv
+report $? answers_are_those_of_brute_force
+
+run --quiet --locate gen:uniform:300:2=a.npy --nearest gen:uniform:300:2=b.npy gen:uniform:200:1
+done_well && grep -aq "'<i4'.*'shape': (300, 2)" a.npy && [ "$(wc -c <a.npy)" -eq $((128 + 300 * 8)) ] &&
+    grep -aq "'shape': (300, 1)" b.npy && [ "$(wc -c <b.npy)" -eq $((128 + 300 * 4)) ]
+report $? answers_as_arrays
+run --quiet --locate gen:uniform:300:2=a.vtu --nearest gen:uniform:300:2=b.vtu gen:uniform:200:1
+done_well && grep -aq 'NumberOfPoints="300" NumberOfCells="300"' a.vtu && grep -aq 'Name="face"' a.vtu && grep -aq 'Name="nearest"' b.vtu
+report $? answers_as_points_for_paraview
+run --stats all.json --weights --locate gen:uniform:50:2=a.csv --nearest gen:uniform:50:2=b.csv gen:uniform:200:1
+done_well && grep -q '"seconds_locate": [0-9]' all.json && grep -q '"seconds_nearest": [0-9]' all.json &&
+    [ "$(cat a.csv b.csv | wc -l)" -eq 100 ] && grep -q '^located  *50 queries' out
+report $? queries_are_timed_and_weights_are_fine
+printf '0 0\n' | "$tool" --dim 2 --quiet --nearest -=- plane.txt >out 2>err
+status=$?
+done_well && [ "$(cat out)" = 0 ]
+report $? queries_from_standard_input
+for input in gen:uniform:0:1 gen:uniform:1:1 gen:uniform:2:1 gen:collinear:9:1 gen:coplanar:9:1 gen:duplicates:30:1 gen:huge:30:1 \
+    gen:subnormal:30:1; do
+    for dim in 2 3; do
+        run --dim $dim --quiet --locate gen:uniform:20:2=a.csv --nearest $input=b.csv $input
+        done_well && [ "$(wc -l <a.csv)" -eq 20 ] || break 2
+    done
+done
+done_well
+report $? queries_of_flat_few_and_extreme_points
+ends queries_of_another_dimension 3 '^paradt: plane.txt:1: 2 numbers where 3 are needed' --locate plane.txt=a.csv gen:uniform:30:1
+write nowhere.xyz '0 0 nan\n'
+ends a_query_that_is_not_finite 3 '^paradt: nowhere.xyz:1: coordinate 3 is not finite' --nearest nowhere.xyz=late.csv gen:uniform:30:1
+[ ! -e late.csv ]
+report $? no_answers_are_left_after_an_error
+ends queries_are_not_replaced 2 '^paradt: places.csv: would replace' --dim 2 --locate places.csv=places.csv gen:uniform:30:1
+ends queries_that_are_missing 3 '^paradt: missing.csv: ' --dim 2 --locate missing.csv=a.csv gen:uniform:30:1
+
+# --- Voronoi cells ----------------------------------------------------------------------------------------------------
+
+sum_is() { # file, sum, number of rows that are not infinite: of the volumes
+    awk -F, -v due="$2" -v rows="$3" 'NR > 1 && $2 != "inf" { sum += $2; n++ }
+        END { d = sum - due; exit !(d < 1e-12 * due && -d < 1e-12 * due && n == rows) }' "$1"
+}
+run --box 0,0,0,1,1,1 --voronoi box.csv --voronoi box.vtu --voronoi box.npy --voronoi box.png --stats box.json gen:uniform:400:1
+done_well && sum_is box.csv 1 400 && [ "$(sed -n 1p box.csv)" = index,volume,cx,cy,cz,faces ] &&
+    awk -F, 'NR > 1 && ($1 != NR - 2 || $3 <= 0 || $3 >= 1 || $6 < 4) { exit 1 }' box.csv &&
+    grep -Eq '"voronoi_volume": (1|0.99999999999|1.00000000000)' box.json && grep -q '"seconds_voronoi": ' box.json &&
+    awk -F, 'NR == FNR { sides += $6; next } /voronoi_faces/ { split($1, f, ":"); exit !(f[2] < sides && 2 * f[2] > sides) }' box.csv box.json
+report $? cells_fill_the_box
+[ "$(wc -c <box.npy)" -eq $((128 + 400 * 6 * 8)) ] && grep -aq "'<f8'.*'shape': (400, 6)" box.npy &&
+    [ "$(tail -c 48 box.npy | od -An -tf8 -N 8 | tr -d ' ')" = 399 ]
+report $? cells_as_an_array
+run --dim 2 --quiet --voronoi - --box -1,-1,2,2 gen:uniform:50:1
+done_well && mv out flat.csv && sum_is flat.csv 9 50 && [ "$(sed -n 1p flat.csv)" = index,volume,cx,cy,faces ]
+report $? cells_in_the_plane_as_text
+run --dim 2 --voronoi flat.csv --stats flat.json plane.txt
+done_well && [ "$(awk -F, '$2 == "inf" && $3 == "nan"' flat.csv | wc -l)" -eq 4 ] && grep -q '"voronoi_volume": null' flat.json
+report $? unbounded_cells_say_so
+write twice.txt '0 0 1\n2 0 1\n1 0 -9\n2 0 0\n1 2 1\n' # the third is hidden, the fourth a duplicate
+run --dim 2 --weights --box -4,-4,4,4 --voronoi twice.csv twice.txt
+done_well && sum_is twice.csv 64 5 && [ "$(awk -F, '$2 == 0 { printf "%s:%s ", $1, $5 }' twice.csv)" = "2:0 3:0 " ]
+report $? hidden_points_and_duplicates_have_empty_cells
+run --dim 4 --voronoi four.csv --box 0,0,0,0,1,1,1,1 gen:uniform:40:1
+done_well && sum_is four.csv 1 40 && [ "$(sed -n 1p four.csv)" = index,volume,c1,c2,c3,c4,faces ]
+report $? cells_in_four_dimensions
+for input in gen:uniform:0:1 gen:uniform:1:1 gen:uniform:2:1 gen:collinear:9:1 gen:coplanar:9:1 gen:lattice:27:1 gen:huge:30:1 \
+    gen:subnormal:30:1; do
+    for dim in 2 3; do
+        run --dim $dim --quiet --voronoi v.csv --voronoi v.vtu --voronoi v.npy --voronoi v.svg --voronoi v.png $input
+        done_well || break 2
+    done
+done
+done_well
+report $? cells_of_flat_few_and_extreme_points_in_every_format
+run --dim 2 --quiet --voronoi flat.svg --voronoi flat.vtu --voronoi flat.csv gen:uniform:300:1
+done_well && [ "$(grep -c '^<path' flat.svg)" -eq "$(grep -c '^<circle' flat.svg)" ] && [ "$(grep -c '^<path' flat.svg)" -gt 250 ]
+report $? a_picture_of_cells_in_the_plane
+run --quiet --voronoi block.svg --box 0,0,0,1,1,1 gen:uniform:2000:1
+done_well && [ "$(grep -c '^<path' block.svg)" -gt 300 ]
+report $? a_picture_of_a_block_in_space
+python=
+for name in python3 /usr/bin/python3; do
+    [ -n "$python" ] || ! $name -c 'import vtkmodules.vtkFiltersVerdict' 2>/dev/null || python=$name
+done
+sees() { # name, files as tool arguments: VTK reads see.vtu and finds the cells of see.csv
+    name=$1
+    shift
+    if [ -z "$python" ]; then
+        number=$((number + 1))
+        echo "ok $number - $name # SKIP needs python3-vtk9"
+        return
+    fi
+    run --quiet --voronoi see.vtu --voronoi see.csv "$@"
+    done_well && $python ../../../tests/programs/vtk_cells.py see.vtu see.csv >out 2>err
+    report $? "$name"
+}
+sees vtk_opens_polyhedra_in_a_box --box 0,0,0,1,1,1 gen:uniform:400:1
+sees vtk_opens_unclipped_polyhedra gen:uniform:400:1
+sees vtk_opens_cells_of_a_lattice --box -1,-1,-1,4,4,4 gen:lattice:64:1
+sees vtk_opens_power_cells --weights --box 0,0,0,1,1,1 gen:uniform:400:1
+sees vtk_opens_polygons --dim 2 --box 0,0,1,1 gen:uniform:400:1
+ends voronoi_in_five_dimensions_for_vtk 2 '^paradt: five.vtu: .vtu files hold at most 3 dimensions' --dim 5 --voronoi five.vtu gen:uniform:9:1
+ends a_box_of_another_dimension 2 '^paradt: --box: 4 numbers where 6 are needed' --box 0,0,1,1 --voronoi a.csv gen:uniform:9:1
+ends a_box_without_inside 2 '^paradt: --box: the lower bound 2 is not below' --dim 2 --box 0,1,1,1 --voronoi a.csv gen:uniform:9:1
+ends cells_in_a_folder_that_is_missing 1 '^paradt: nowhere/a.csv: No such file' --voronoi nowhere/a.csv gen:uniform:9:1
+ends two_files_of_cells_of_one_name 2 '^paradt: one.csv: two outputs of one name' --voronoi one.csv --nearest gen:uniform:9:1=one.csv gen:uniform:9:1
+[ ! -e one.csv ]
+report $? no_cells_are_left_after_an_error
 
 # --- what is printed --------------------------------------------------------------------------------------------------
 

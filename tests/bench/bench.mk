@@ -4,6 +4,8 @@ B     := build/bench
 CC    ?= cc
 CXX   ?= c++
 PEERS ?= cgal cgal-regular cgal-dd cgal-tbb tetgen qhull qhull-hull hxt
+# Flags of the library in paradt-use, such as -DPARADT_NO_VORONOI
+USE_FLAGS ?=
 # Some compilers don't know -march=native.
 NATIVE := $(shell echo 'int one;' | $(CC) -march=native -x c -c -o /dev/null - 2>/dev/null && echo yes)
 
@@ -64,5 +66,33 @@ $(B)/qhull-hull: tests/bench/qhull.c $(B)/library.o
 
 $(B)/hxt: tests/bench/hxt.c $(B)/library.o
 	$(CC) $(FLAGS) -fopenmp $(DEPENDS) -o $@ $(SOURCES) -lgmsh -lm
+
+# The programs of use.sh
+$(B)/library-use.o: tests/bench/library.c paradt.h $(B)/use-flags
+	$(CC) $(FLAGS) $(USE_FLAGS) $(DEPENDS) -c -o $@ $<
+
+$(B)/paradt-use: tests/bench/paradt_use.c $(B)/library-use.o
+	$(CC) $(FLAGS) $(USE_FLAGS) $(DEPENDS) -o $@ $(SOURCES) -lm
+
+$(B)/use-flags: FORCE
+	@mkdir -p $(@D)
+	@echo "$(USE_FLAGS)" | cmp -s - $@ || echo "$(USE_FLAGS)" >$@
+
+FORCE:
+
+# Of paradt.h the peers' programs have the hash and sizes alone, so they are not compiled anew with every change of it.
+$(B)/cgal_use.o: tests/bench/cgal_use.cpp tests/bench/use.h tests/bench/bench.h
+	@mkdir -p $(@D)
+	$(CXX) $(CGALFLAGS) -isystem /usr/include/eigen3 -c -o $@ $<
+
+$(B)/cgal-use: $(B)/cgal_use.o $(B)/library.o
+	$(CXX) -o $@ $^ -lmpfr -lgmp -lm
+
+$(B)/voro_use.o: tests/bench/voro_use.cpp tests/bench/use.h tests/bench/bench.h
+	@mkdir -p $(@D)
+	$(CXX) $(FLAGS) -c -o $@ $<
+
+$(B)/voro-use: $(B)/voro_use.o $(B)/library.o
+	$(CXX) -o $@ $^ -lvoro++ -lm
 
 -include $(wildcard $(B)/*.d)

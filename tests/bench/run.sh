@@ -4,7 +4,7 @@
 # `make bench` does.
 #
 #   BENCH=full|quick          everything (an hour or more), or small sets of a few families (a few minutes)
-#   BENCH_SECTIONS="..."      any of families sizes scans dimensions weighted hulls threads speedup small predicates;
+#   BENCH_SECTIONS="..."      any of families sizes scans dimensions weighted hulls threads speedup small predicates use;
 #                             all by default
 #   BENCH_SCANS="..."         files of points in space for the section scans; none by default
 #   BENCH_METHODS="..."       methods of ParaDT; auto incode dewall by default
@@ -37,6 +37,7 @@ tetgen tetgen.h libtet1.5-dev
 qhull libqhull_r/qhull_ra.h libqhull-dev
 qhull-hull libqhull_r/qhull_ra.h libqhull-dev
 hxt gmshc.h libgmsh-dev
+voro voro++/voro++.hh voro++-dev
 END
 }
 
@@ -77,7 +78,7 @@ install_peers() {
 }
 
 build() {
-    wanted=$(wanted_peers | cut -d' ' -f1 | tr '\n' ' ')
+    wanted=$(wanted_peers | cut -d' ' -f1 | grep -v '^voro$' | tr '\n' ' ') # Voro++ is a program of use.sh
     echo "Building ParaDT, $wanted"
     make --no-print-directory -k -j"$(getconf _NPROCESSORS_ONLN)" -f tests/bench/bench.mk programs PEERS="$wanted" \
         >"$B/build.log" 2>&1 && return
@@ -194,7 +195,7 @@ measure() {
 
 # --- the cases --------------------------------------------------------------------------------------------------------
 
-SECTIONS=${BENCH_SECTIONS:-families sizes scans dimensions weighted hulls threads speedup small predicates}
+SECTIONS=${BENCH_SECTIONS:-families sizes scans dimensions weighted hulls threads speedup small predicates use}
 wants() { case " $SECTIONS " in *" $1 "*) ;; *) false ;; esac; }
 
 # Prints the first word of a list: the method that represents ParaDT where one is enough.
@@ -272,7 +273,7 @@ conditions() {
     cache=$(sed -n 's/^cache size[^:]*: *//p' /proc/cpuinfo | head -1)
     memory=$(awk '/^MemTotal/ { printf "%.0f GiB", $2 / 1048576 }' /proc/meminfo)
     compilers="$(${CC:-cc} --version | head -1), $(${CXX:-c++} --version | head -1)"
-    packages=$(for package in libcgal-dev libtet1.5-dev libqhull-dev libgmsh-dev libtbb-dev; do
+    packages=$(for package in libcgal-dev libtet1.5-dev libqhull-dev libgmsh-dev libtbb-dev voro++-dev; do
         dpkg-query -W -f '${Package} ${Version}, ' "$package" 2>/dev/null
     done)
     echo "- $(date -u '+%Y-%m-%d %H:%M') UTC, BENCH=$BENCH, seed 1, at most $LIMIT s a run, clock: ${BENCH_CLOCK:-wall}"
@@ -282,15 +283,30 @@ conditions() {
     echo "- load average at the start: $load"
 }
 
+# What is done with a triangulation: tables of their own
+measure_use() {
+    if [ "$BENCH" = full ]; then use_rounds=5 use_large=1000000 use_four=10000; else use_rounds=3 use_large=100000 use_four=1000; fi
+    for size in "$use_large 3" "$use_large 2" "$use_four 4"; do
+        # shellcheck disable=SC2086 # two words
+        USE_ROUNDS=$use_rounds sh tests/bench/use.sh $size
+        echo
+    done >"$B/use.md"
+}
+
 load=$(cut -d' ' -f1-3 /proc/loadavg)
 install_peers
 build
 [ -n "$BENCH_KEEP" ] || : >"$RUNS"
 measure_all
+if wants use; then measure_use; fi
 if wants predicates && [ -x "$B/predicates" ]; then "$B/predicates" >"$B/predicates.txt"; fi
 {
     conditions
     awk -v clock="${BENCH_CLOCK:-wall}" -f tests/bench/table.awk "$RUNS"
+    if wants use && [ -s "$B/use.md" ]; then
+        printf '\n## use\n\n'
+        cat "$B/use.md"
+    fi
     if [ -s "$B/predicates.txt" ]; then
         printf '\n## predicates\n\n```\n'
         cat "$B/predicates.txt"

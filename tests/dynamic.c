@@ -1,0 +1,770 @@
+// Living sets: after any changes the cells are those of a new triangulation of the points that are there.
+#include "harness.h"
+
+#include <time.h>
+
+enum { LARGEST_DIM = SANITIZED ? 4 : 5 };
+static const int points_in[] = {0, 0, 120, 90, 36, 20};
+
+// The points that ought to be in a set, by id
+typedef struct shadow {
+    int dim, weighted, ids, count;
+    double *x, *w;
+    char *there;
+} shadow;
+
+static void shadow_room(shadow *s, paradt_index id) {
+    if (id < s->ids)
+        return;
+    int ids = (int)id + 1;
+    s->x = (double *)realloc(s->x, sizeof(double) * (size_t)(ids * s->dim));
+    s->w = (double *)realloc(s->w, sizeof(double) * (size_t)ids);
+    s->there = (char *)realloc(s->there, (size_t)ids);
+    assert_true(s->x && s->w && s->there);
+    memset(s->there + s->ids, 0, (size_t)(ids - s->ids));
+    s->ids = ids;
+}
+
+static void shadow_put(shadow *s, paradt_index id, const double *x, double w) {
+    shadow_room(s, id);
+    s->count += !s->there[id];
+    s->there[id] = 1;
+    memcpy(s->x + (int)id * s->dim, x, sizeof(double) * (size_t)s->dim);
+    s->w[id] = w;
+}
+
+static void shadow_take(shadow *s, paradt_index id) {
+    s->count -= s->there[id];
+    s->there[id] = 0;
+}
+
+static void shadow_free(shadow *s) {
+    free(s->x);
+    free(s->w);
+    free(s->there);
+}
+
+// Returns a random id that is there.
+static paradt_index shadow_any(const shadow *s, uint64_t *seed) {
+    paradt_index id;
+    do
+        id = (paradt_index)random_below(seed, s->ids);
+    while (!s->there[id]);
+    return id;
+}
+
+// The points that are there, as a sample; id: [count] of each
+static sample shadow_sample(const shadow *s, int *id, const char *name) {
+    sample points = {0};
+    snprintf(points.name, sizeof points.name, "%s", name);
+    points.dim = s->dim;
+    points.x = (double *)need((size_t)(s->count * s->dim + 1), sizeof(double));
+    points.w = s->weighted ? (double *)need((size_t)s->count + 1, sizeof(double)) : NULL;
+    for (int i = 0; i < s->ids; i++) {
+        if (!s->there[i])
+            continue;
+        memcpy(points.x + points.count * s->dim, s->x + i * s->dim, sizeof(double) * (size_t)s->dim);
+        if (points.w)
+            points.w[points.count] = s->w[i];
+        id[points.count++] = i;
+    }
+    return points;
+}
+
+// Fails unless cells, neighbours and star of the set agree with each other and with the export.
+static void expect_readable(const paradt_dynamic *d, const paradt_triangulation *t, const sample *s) {
+    paradt_dynamic_info info;
+    paradt_index vertices[PARADT_MAX_DIM + 1], links[PARADT_MAX_DIM + 1], other[PARADT_MAX_DIM + 1];
+    uint64_t hash = 0, row[PARADT_MAX_DIM + 1];
+    size_t cells = 0, stars = 0;
+    paradt_dynamic_get_info(d, &info);
+    for (paradt_index cell = -1; cell <= (paradt_index)info.cell_end; cell++) {
+        if (!paradt_dynamic_cell(d, cell, vertices, links))
+            continue;
+        cells++;
+        for (int i = 0; i <= info.dim; i++) {
+            row[i] = (uint64_t)vertices[i];
+            if (links[i] < 0)
+                continue;
+            assert_true(paradt_dynamic_cell(d, links[i] / (info.dim + 1), NULL, other));
+            assert_int_equal(other[links[i] % (info.dim + 1)], (info.dim + 1) * cell + i);
+        }
+        hash += paradt_hash_cell(row, info.dim + 1);
+    }
+    if (cells != info.cell_count || hash != paradt_hash(t))
+        fail_on_sample(s, "cells that are read are not those of the export");
+    for (paradt_index id = 0; id < (paradt_index)info.id_count; id++)
+        stars += paradt_dynamic_star(d, id, NULL, 0);
+    if (stars != cells * (size_t)(info.dim + 1))
+        fail_on_sample(s, "stars do not have all cells");
+}
+
+// Fails unless the set is the triangulation of the points that ought to be there.
+static void expect_canonical(const paradt_dynamic *d, const shadow *s, const char *name) {
+    int *id = (int *)need((size_t)s->ids + 1, sizeof(int)), *compact = (int *)need((size_t)s->ids + 1, sizeof(int));
+    sample points = shadow_sample(s, id, name);
+    paradt_points given = points_of(&points);
+    paradt_triangulation t, fresh;
+    paradt_dynamic_info info;
+    paradt_fault fault;
+    watch(&points, 60);
+    assert_int_equal(paradt_triangulate(&fresh, &given, NULL), PARADT_OK);
+    assert_int_equal(paradt_dynamic_export(d, &t), PARADT_OK);
+    paradt_dynamic_get_info(d, &info);
+    expect_readable(d, &t, &points);
+    for (int i = 0; i < points.count; i++)
+        compact[id[i]] = i;
+    for (int i = 0; i < s->ids; i++) {
+        paradt_index r = i < (int)info.id_count ? paradt_dynamic_representative(d, i) : -2;
+        const double *x = i < (int)info.id_count ? paradt_dynamic_point(d, i, NULL) : NULL;
+        if (s->there[i] ? r != (fresh.representative[compact[i]] < 0 ? -1 : id[fresh.representative[compact[i]]]) : r != -2)
+            fail_on_sample(&points, "another point stands for a place");
+        if (!x != !s->there[i])
+            fail_on_sample(&points, "a point is there that ought not to be, or is not");
+        for (int k = 0; x && k < s->dim; k++)
+            if (x[k] != s->x[i * s->dim + k])
+                fail_on_sample(&points, "a point is not where it was put");
+    }
+    for (size_t i = 0; i < t.cell_count * (size_t)(t.dim + 1); i++)
+        t.cells[i] = compact[t.cells[i]];
+    for (size_t i = 0; i < t.point_count; i++) {
+        if (t.representative[i] == -2)
+            continue;
+        t.representative[compact[i]] = t.representative[i] < 0 ? -1 : compact[t.representative[i]];
+    }
+    t.point_count = (size_t)points.count;
+    if (t.dim != fresh.dim || info.dim != fresh.dim)
+        fail_on_sample(&points, "the dimension differs");
+    if (paradt_hash(&t) != paradt_hash(&fresh))
+        fail_on_sample(&points, "cells differ");
+    if (t.stats.hull_facets != fresh.stats.hull_facets || t.stats.hidden != fresh.stats.hidden ||
+        t.stats.duplicates != fresh.stats.duplicates || info.point_count != (size_t)points.count)
+        fail_on_sample(&points, "counts differ");
+    if (paradt_check(&t, &given, NULL, &fault))
+        fail_on_sample(&points, fault.reason);
+    watch(NULL, 0);
+    paradt_free(&t);
+    paradt_free(&fresh);
+    sample_free(&points);
+    free(id);
+    free(compact);
+}
+
+// A set, what ought to be in it, and where points come from
+typedef struct game {
+    paradt_dynamic *d;
+    shadow s;
+    const sample *pool;
+    uint64_t seed;
+} game;
+
+static game game_begin(const sample *pool, int first, const paradt_options *options, uint64_t seed) {
+    game g = {0};
+    sample part = *pool;
+    g.pool = pool;
+    g.seed = seed;
+    g.s.dim = pool->dim;
+    g.s.weighted = pool->w != NULL;
+    part.count = first;
+    paradt_points points = points_of(&part);
+    assert_int_equal(paradt_dynamic_create(&g.d, &points, options), PARADT_OK);
+    for (int i = 0; i < first; i++)
+        shadow_put(&g.s, i, pool->x + i * pool->dim, pool->w ? pool->w[i] : 0.0);
+    return g;
+}
+
+static void game_end(game *g) {
+    paradt_dynamic_free(g->d);
+    shadow_free(&g->s);
+}
+
+// Makes a point: one of the pool, at the place of another, or near one.
+static void game_point(game *g, double *x, double *w) {
+    int at = random_below(&g->seed, g->pool->count), dim = g->pool->dim, how = random_below(&g->seed, 8);
+    memcpy(x, g->pool->x + at * dim, sizeof(double) * (size_t)dim);
+    *w = g->pool->w ? g->pool->w[random_below(&g->seed, g->pool->count)] : 0.0;
+    if (how == 0 && g->s.count) {
+        paradt_index other = shadow_any(&g->s, &g->seed);
+        memcpy(x, g->s.x + (int)other * dim, sizeof(double) * (size_t)dim);
+    } else if (how == 1) {
+        for (int k = 0; k < dim; k++) {
+            double moved = x[k] + 0.01 * random_unit(&g->seed) * x[k];
+            if (isfinite(moved))
+                x[k] = moved;
+        }
+    }
+}
+
+static void game_insert(game *g) {
+    double x[CELLS_MAX_DIM], w;
+    paradt_index id = -7, hint = g->s.count && random_below(&g->seed, 2) ? shadow_any(&g->s, &g->seed) : -1;
+    game_point(g, x, &w);
+    assert_int_equal(paradt_dynamic_insert(g->d, x, w, hint, &id), PARADT_OK);
+    assert_true(id >= 0 && (id >= g->s.ids || !g->s.there[id]));
+    shadow_put(&g->s, id, x, w);
+}
+
+static void game_remove(game *g) {
+    paradt_index id = shadow_any(&g->s, &g->seed);
+    assert_int_equal(paradt_dynamic_remove(g->d, id), PARADT_OK);
+    shadow_take(&g->s, id);
+    assert_int_equal(paradt_dynamic_remove(g->d, id), PARADT_ERROR_ARGUMENT);
+}
+
+static void game_move(game *g) {
+    double x[CELLS_MAX_DIM], w;
+    paradt_index id = shadow_any(&g->s, &g->seed);
+    game_point(g, x, &w);
+    if (random_below(&g->seed, 3)) { // not far
+        double part = random_below(&g->seed, 2) ? 1e-3 : 0.05;
+        for (int k = 0; k < g->s.dim; k++) {
+            double here = g->s.x[(int)id * g->s.dim + k], to = here + part * (x[k] - here);
+            x[k] = isfinite(to) ? to : here;
+        }
+        if (random_below(&g->seed, 2))
+            w = g->s.w[id];
+    }
+    assert_int_equal(paradt_dynamic_move(g->d, id, x, w), PARADT_OK);
+    shadow_put(&g->s, id, x, w);
+}
+
+// Changes `count` points at once.
+static void game_batch(game *g, int count) {
+    int dim = g->s.dim, kind = random_below(&g->seed, 3), n = 0;
+    double *x = (double *)need((size_t)(count * dim), sizeof(double)), *w = (double *)need((size_t)count, sizeof(double));
+    paradt_index *ids = (paradt_index *)need((size_t)count, sizeof(paradt_index));
+    for (int i = 0; kind && i < g->s.ids && n < count; i++)
+        if (g->s.there[i] && random_below(&g->seed, 3))
+            ids[n++] = i;
+    if (!kind)
+        n = count;
+    for (int i = 0; i < n; i++)
+        game_point(g, x + i * dim, w + i);
+    paradt_points points = paradt_points_f64(x, (size_t)n, dim);
+    points.weights = g->s.weighted ? w : NULL;
+    if (kind == 0)
+        assert_int_equal(paradt_dynamic_insert_points(g->d, &points, ids), PARADT_OK);
+    else if (kind == 1)
+        assert_int_equal(paradt_dynamic_move_points(g->d, ids, &points), PARADT_OK);
+    else
+        assert_int_equal(paradt_dynamic_remove_points(g->d, ids, (size_t)n), PARADT_OK);
+    for (int i = 0; i < n; i++)
+        if (kind < 2)
+            shadow_put(&g->s, ids[i], x + i * dim, w[i]);
+        else
+            shadow_take(&g->s, ids[i]);
+    free(x);
+    free(w);
+    free(ids);
+}
+
+static void game_step(game *g, int wanted) {
+    int draw = random_below(&g->seed, 20);
+    if (draw == 0)
+        game_batch(g, 1 + random_below(&g->seed, 12));
+    else if (!g->s.count || draw < (g->s.count < wanted ? 10 : 4))
+        game_insert(g);
+    else if (draw < 14)
+        game_remove(g);
+    else
+        game_move(g);
+}
+
+// state: family
+static void changed_is_new(void **state) {
+    int f = (int)(intptr_t)*state;
+    for (int dim = 2; dim <= LARGEST_DIM; dim++)
+        for (int w = 0; w < WEIGHTING_COUNT; w++) {
+            int extremes = families[f].extremes || weightings[w].extremes;
+            int count = extremes ? points_in[dim] / 3 : points_in[dim], steps = SANITIZED ? 20 : extremes ? 30 : 80;
+            if (extremes && dim > 4)
+                continue;
+            sample pool = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(3 + f + 50 * w));
+            game g = game_begin(&pool, w % 2 ? 0 : pool.count / 2, NULL, (uint64_t)(f + w + dim));
+            expect_canonical(g.d, &g.s, pool.name);
+            for (int step = 0; step < steps; step++) {
+                game_step(&g, count / 2);
+                expect_canonical(g.d, &g.s, pool.name);
+            }
+            while (g.s.count) { // back to nothing
+                game_remove(&g);
+                if (g.s.count % 4 == 0 || g.s.count < 8)
+                    expect_canonical(g.d, &g.s, pool.name);
+            }
+            game_end(&g);
+            sample_free(&pool);
+        }
+}
+
+
+// --- growing
+
+// Points that come one by one: all at one place, then on a line, in a plane, and so on; and that go in an order of
+// their own. The dimension rises and falls with them.
+static void dimension_rises_and_falls(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= LARGEST_DIM; dim++)
+        for (int order = 0; order < 3; order++) {
+            uint64_t seed = (uint64_t)(7 * dim + order);
+            paradt_points none = paradt_points_f64(NULL, 0, dim);
+            paradt_dynamic_info info;
+            game g = {0};
+            g.s.dim = dim;
+            assert_int_equal(paradt_dynamic_create(&g.d, &none, NULL), PARADT_OK);
+            expect_canonical(g.d, &g.s, "nothing");
+            for (int flat = 0; flat <= dim; flat++)
+                for (int i = 0; i < 5; i++) {
+                    double x[CELLS_MAX_DIM];
+                    paradt_index id;
+                    for (int k = 0; k < dim; k++) // on a slanted flat through (1, ..., 1)
+                        x[dim - 1 - k] = 1.0 + (k < flat ? (double)random_below(&seed, 64) / 8.0 : 0.0);
+                    if (flat && flat < dim)
+                        x[dim - 1 - flat] = x[dim - flat];
+                    assert_int_equal(paradt_dynamic_insert(g.d, x, 0.0, -1, &id), PARADT_OK);
+                    shadow_put(&g.s, id, x, 0.0);
+                    expect_canonical(g.d, &g.s, "growing");
+                }
+            paradt_dynamic_get_info(g.d, &info);
+            assert_int_equal(info.dim, dim);
+            while (g.s.count) {
+                paradt_index id = order == 0 ? g.s.ids - 1 : 0;
+                while (order < 2 && !g.s.there[id])
+                    id += order == 0 ? -1 : 1;
+                if (order == 2)
+                    id = shadow_any(&g.s, &seed);
+                assert_int_equal(paradt_dynamic_remove(g.d, id), PARADT_OK);
+                shadow_take(&g.s, id);
+                expect_canonical(g.d, &g.s, "shrinking");
+            }
+            game_end(&g);
+        }
+}
+
+// Points that come from farther and farther away, up to where numbers end.
+static void range_grows(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++) {
+        sample pool = family_make(&families[family_named("uniform")], NULL, dim, 40, 5);
+        game g = game_begin(&pool, 40, NULL, 3);
+        for (int e = 1; e < 1023; e += e < 12 ? 1 : 90) {
+            double x[CELLS_MAX_DIM];
+            paradt_index id;
+            for (int k = 0; k < dim; k++)
+                x[k] = ldexp(random_unit(&g.seed) - 0.5, k ? e : -e);
+            assert_int_equal(paradt_dynamic_insert(g.d, x, 0.0, -1, &id), PARADT_OK);
+            shadow_put(&g.s, id, x, 0.0);
+            expect_canonical(g.d, &g.s, "farther and farther");
+            if (e % 2)
+                game_remove(&g);
+            else
+                game_move(&g);
+            expect_canonical(g.d, &g.s, "farther and farther");
+        }
+        game_end(&g);
+        sample_free(&pool);
+    }
+}
+
+// A point with very many neighbours goes, and comes again: time does not grow as the square of their number.
+static double time_of_removal(int dim, int count, int spread) {
+    sample pool = family_make(&families[family_named("sphere")], NULL, dim, count, 9);
+    double centre[CELLS_MAX_DIM] = {0}, best = 1e9;
+    for (int k = 0; k < dim; k++)
+        centre[k] = spread ? 0.001 * (k + 1) : 0.0;
+    memcpy(pool.x, centre, sizeof(double) * (size_t)dim);
+    paradt_points points = points_of(&pool);
+    paradt_triangulation t, u;
+    paradt_dynamic *d;
+    paradt_index id = 0;
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    assert_int_equal(paradt_dynamic_export(d, &t), PARADT_OK);
+    for (int again = 0; again < 3; again++) {
+        clock_t begun = clock();
+        assert_int_equal(paradt_dynamic_remove(d, id), PARADT_OK);
+        double seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
+        best = seconds < best ? seconds : best;
+        assert_int_equal(paradt_dynamic_insert(d, centre, 0.0, -1, &id), PARADT_OK);
+    }
+    assert_int_equal(id, 0);
+    assert_int_equal(paradt_dynamic_export(d, &u), PARADT_OK);
+    assert_true(paradt_hash(&t) == paradt_hash(&u));
+    paradt_free(&t);
+    paradt_free(&u);
+    paradt_dynamic_free(d);
+    sample_free(&pool);
+    return best;
+}
+
+static void many_neighbours_take_no_square(void **state) {
+    (void)state;
+    int count = SANITIZED ? 2000 : 10000;
+    for (int dim = 2; dim <= 3; dim++) {
+        double half = time_of_removal(dim, count, 1), whole = time_of_removal(dim, 2 * count, 1);
+        print_message("# %d dimensions: %.1f ms for %d neighbours, %.1f ms for twice as many\n", dim, 1e3 * half, count,
+                      1e3 * whole);
+        if (!SANITIZED)
+            assert_true(whole < 3.5 * half);
+    }
+}
+
+// --- errors
+
+typedef struct failing {
+    size_t calls, fail_at, live;
+} failing;
+
+static void *failing_alloc(void *user, size_t size) {
+    failing *f = (failing *)user;
+    void *block = ++f->calls == f->fail_at ? NULL : malloc(size);
+    f->live += block != NULL;
+    return block;
+}
+
+static void failing_free(void *user, void *memory) {
+    ((failing *)user)->live -= memory != NULL;
+    free(memory);
+}
+
+// One change of each kind; returns its status.
+static paradt_status change_once(game *g, int kind, const double *x, const double *w, paradt_index *ids, int n) {
+    paradt_points points = paradt_points_f64(x, (size_t)n, g->s.dim);
+    points.weights = g->s.weighted ? w : NULL;
+    if (kind == 0)
+        return paradt_dynamic_insert_points(g->d, &points, ids);
+    if (kind == 1)
+        return paradt_dynamic_move_points(g->d, ids, &points);
+    return paradt_dynamic_remove_points(g->d, ids, (size_t)n);
+}
+
+// state: family
+static void failing_allocations_leave_the_set(void **state) {
+    int f = (int)(intptr_t)*state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (int w = 0; w < 3; w++)
+            for (int kind = 0; kind < 6; kind++) {
+                int count = dim < 4 ? 40 : 14, n = kind < 3 ? 1 : 9, failed = 0;
+                double x[9 * CELLS_MAX_DIM], weight[9];
+                paradt_index ids[9];
+                failing memory = {0, 0, 0};
+                paradt_options options = {0};
+                options.allocator.alloc = failing_alloc;
+                options.allocator.free = failing_free;
+                options.allocator.user = &memory;
+                sample pool = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(8 + w));
+                game g = game_begin(&pool, pool.count / 2, &options, (uint64_t)(kind + 8 * w));
+                paradt_status status = PARADT_ERROR_MEMORY;
+                for (int i = 0; i < n; i++) {
+                    game_point(&g, x + i * dim, weight + i);
+                    do
+                        ids[i] = shadow_any(&g.s, &g.seed);
+                    while (i && kind % 3 && ids[i] <= ids[i - 1] && ids[i - 1] + 2 < g.s.ids - n + i && g.s.count > 9);
+                    if (i && kind % 3 && ids[i] <= ids[i - 1])
+                        n = i;
+                }
+                for (size_t at = 1; status; at += SANITIZED ? 3 : 1) {
+                    memory.calls = 0;
+                    memory.fail_at = at;
+                    status = change_once(&g, kind % 3, x, weight, ids, n);
+                    memory.fail_at = 0;
+                    if (!status)
+                        break;
+                    failed++;
+                    assert_int_equal(status, PARADT_ERROR_MEMORY);
+                    if (at % 3 == 1 || at < 12)
+                        expect_canonical(g.d, &g.s, pool.name);
+                }
+                assert_true(failed > 0);
+                for (int i = 0; i < n; i++)
+                    if (kind % 3 < 2)
+                        shadow_put(&g.s, ids[i], x + i * dim, weight[i]);
+                    else
+                        shadow_take(&g.s, ids[i]);
+                expect_canonical(g.d, &g.s, pool.name);
+                game_end(&g);
+                assert_int_equal(memory.live, 0);
+                sample_free(&pool);
+            }
+}
+
+// Creating either works or leaves nothing behind.
+static void failing_allocations_while_creating(void **state) {
+    (void)state;
+    for (int w = 0; w < 2; w++) {
+        sample pool = family_make(&families[family_named("duplicates")], &weightings[w], 3, 60, 4);
+        paradt_points points = points_of(&pool);
+        paradt_status status = PARADT_ERROR_MEMORY;
+        for (size_t at = 1; status; at++) {
+            failing memory = {0, at, 0};
+            paradt_options options = {0};
+            paradt_dynamic *d;
+            options.allocator.alloc = failing_alloc;
+            options.allocator.free = failing_free;
+            options.allocator.user = &memory;
+            status = paradt_dynamic_create(&d, &points, &options);
+            assert_true(status == PARADT_OK || (status == PARADT_ERROR_MEMORY && !d));
+            paradt_dynamic_free(d);
+            assert_int_equal(memory.live, 0);
+        }
+        sample_free(&pool);
+    }
+}
+
+static void memory_limit_is_kept(void **state) {
+    (void)state;
+    sample pool = family_make(&families[family_named("uniform")], NULL, 3, 4000, 4);
+    paradt_options options = {0};
+    paradt_status status = PARADT_OK;
+    paradt_dynamic_info info;
+    options.memory_limit = 5 << 18;
+    game g = game_begin(&pool, 1000, &options, 2);
+    for (int i = 1000; i < pool.count && !status; i++) {
+        paradt_index id;
+        status = paradt_dynamic_insert(g.d, pool.x + 3 * i, 0.0, -1, &id);
+        if (!status)
+            shadow_put(&g.s, id, pool.x + 3 * i, 0.0);
+        paradt_dynamic_get_info(g.d, &info);
+        assert_true(info.bytes <= options.memory_limit);
+    }
+    assert_int_equal(status, PARADT_ERROR_MEMORY);
+    expect_canonical(g.d, &g.s, pool.name);
+    game_end(&g);
+    sample_free(&pool);
+}
+
+static int cancel_later(void *user, double done) {
+    int *calls = (int *)user;
+    (void)done;
+    return --*calls < 0;
+}
+
+static void cancelled_batches_leave_the_set(void **state) {
+    (void)state;
+    sample pool = family_make(&families[family_named("uniform")], NULL, 3, 6000, 4);
+    int calls = 1 << 30;
+    paradt_options options = {0};
+    options.progress = cancel_later;
+    options.user = &calls;
+    for (int large = 0; large < 2; large++)
+        for (int kind = 0; kind < 3; kind++) {
+            int n = large ? 2000 : 300, cancelled = 0;
+            paradt_index *ids = (paradt_index *)need((size_t)n, sizeof *ids);
+            calls = 1 << 30;
+            game g = game_begin(&pool, 4000, &options, 2);
+            for (int i = 0; i < n; i++)
+                ids[i] = 2 * i;
+            for (int after = 0;; after = 2 * after + 1) {
+                calls = after;
+                paradt_status status = change_once(&g, kind, pool.x + 3 * 4000, NULL, ids, n);
+                calls = 1 << 30;
+                if (!status)
+                    break;
+                cancelled++;
+                assert_int_equal(status, PARADT_ERROR_CANCELLED);
+                expect_canonical(g.d, &g.s, pool.name);
+            }
+            assert_true(cancelled > 1);
+            for (int i = 0; i < n; i++)
+                if (kind < 2)
+                    shadow_put(&g.s, ids[i], pool.x + 3 * (4000 + i), 0.0);
+                else
+                    shadow_take(&g.s, ids[i]);
+            expect_canonical(g.d, &g.s, pool.name);
+            game_end(&g);
+            free(ids);
+        }
+    sample_free(&pool);
+}
+
+static void wrong_arguments_are_refused(void **state) {
+    double x[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}, bad[] = {0.5, NAN, 0.5};
+    paradt_points points = paradt_points_f64(x, 5, 3), flat = paradt_points_f64(x, 5, 2), two = paradt_points_f64(x, 2, 3);
+    paradt_points mixed = paradt_points_f64(bad, 1, 3);
+    paradt_options options = {0};
+    paradt_dynamic *d = NULL;
+    paradt_dynamic_info info;
+    paradt_index ids[] = {1, 1}, id = 7;
+    (void)state;
+    assert_int_equal(paradt_dynamic_create(NULL, &points, NULL), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_create(&d, NULL, NULL), PARADT_ERROR_ARGUMENT);
+    assert_null(d);
+    options.flags = PARADT_FACETS;
+    assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_ERROR_ARGUMENT);
+    options.flags = 0;
+    options.method = PARADT_INCODE;
+    assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_create(&d, &mixed, NULL), PARADT_ERROR_NOT_FINITE);
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    assert_int_equal(paradt_dynamic_insert(NULL, x, 0.0, -1, NULL), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_insert(d, NULL, 0.0, -1, &id), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_insert(d, x, 1.0, -1, &id), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_insert(d, bad, 0.0, -1, &id), PARADT_ERROR_NOT_FINITE);
+    assert_int_equal(paradt_dynamic_insert_points(d, &flat, NULL), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_remove(d, -1), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_remove(d, 5), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_remove_points(d, ids, 2), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_move_points(d, ids, &two), PARADT_ERROR_ARGUMENT);
+    assert_int_equal(paradt_dynamic_move(d, 3, bad, 0.0), PARADT_ERROR_NOT_FINITE);
+    paradt_dynamic_get_info(d, &info);
+    assert_true(info.point_count == 5 && info.error_text != NULL && info.error_point == 0);
+    assert_int_equal(id, 7);
+    assert_int_equal(paradt_dynamic_remove_points(d, NULL, 0), PARADT_OK);
+    assert_int_equal(paradt_dynamic_insert(d, x, 0.0, 1 << 30, &id), PARADT_OK);
+    assert_int_equal(paradt_dynamic_representative(d, id), 0);
+    assert_int_equal(paradt_dynamic_representative(d, 100), -2);
+    assert_null(paradt_dynamic_point(d, -1, NULL));
+    paradt_dynamic_free(d);
+    paradt_dynamic_free(NULL);
+}
+
+// --- what changed
+
+// The cells by their numbers, as who follows updates has them
+typedef struct mirror {
+    int room, corners;
+    paradt_index *rows; // [room][corners] -1: there is no such cell
+} mirror;
+
+static void mirror_put(mirror *m, paradt_index cell, const paradt_index *row) {
+    for (; (int)cell >= m->room; m->room++) {
+        m->rows = (paradt_index *)realloc(m->rows, sizeof *row * (size_t)((m->room + 1) * m->corners));
+        assert_non_null(m->rows);
+        m->rows[m->room * m->corners] = -1;
+    }
+    memcpy(m->rows + (int)cell * m->corners, row, sizeof *row * (size_t)m->corners);
+}
+
+static void mirror_all(mirror *m, const paradt_dynamic *d) {
+    paradt_dynamic_info info;
+    paradt_index row[PARADT_MAX_DIM + 1];
+    paradt_dynamic_get_info(d, &info);
+    free(m->rows);
+    m->rows = NULL;
+    m->room = 0;
+    m->corners = info.dim + 1;
+    for (paradt_index cell = 0; cell < (paradt_index)info.cell_end; cell++)
+        if (paradt_dynamic_cell(d, cell, row, NULL))
+            mirror_put(m, cell, row);
+}
+
+static void updates_tell_what_changed(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (int w = 0; w < 3; w++) {
+            sample pool = family_make(&families[family_named("lattice")], &weightings[w], dim, points_in[dim], 4);
+            game g = game_begin(&pool, pool.count / 2, NULL, 2);
+            mirror m = {0, 0, NULL};
+            mirror_all(&m, g.d);
+            for (int step = 0; step < 300; step++) {
+                paradt_dynamic_update u;
+                paradt_dynamic_info info;
+                paradt_index row[PARADT_MAX_DIM + 1];
+                size_t cells = 0;
+                game_step(&g, pool.count / 2);
+                paradt_dynamic_get_update(g.d, &u);
+                paradt_dynamic_get_info(g.d, &info);
+                if (u.rebuilt) {
+                    mirror_all(&m, g.d);
+                    continue;
+                }
+                assert_int_equal(u.dim_before, info.dim);
+                for (size_t i = 0; i < u.killed_count; i++) {
+                    paradt_index *was = m.rows + (int)u.killed[i] * m.corners;
+                    assert_true((int)u.killed[i] < m.room && *was >= 0);
+                    *was = -1;
+                }
+                for (size_t i = 0; i < u.made_count; i++) {
+                    assert_true((int)u.made[i] >= m.room || m.rows[(int)u.made[i] * m.corners] < 0);
+                    assert_true(paradt_dynamic_cell(g.d, u.made[i], row, NULL));
+                    mirror_put(&m, u.made[i], row);
+                }
+                for (int cell = 0; cell < m.room || cell < (int)info.cell_end; cell++) {
+                    int is = paradt_dynamic_cell(g.d, cell, row, NULL), was = cell < m.room && m.rows[cell * m.corners] >= 0;
+                    assert_int_equal(is, was);
+                    cells += (size_t)is;
+                }
+                assert_int_equal(cells, info.cell_count);
+            }
+            free(m.rows);
+            game_end(&g);
+            sample_free(&pool);
+        }
+}
+
+// Places are found by hints and without them; the nearest is that of all points.
+static void places_are_found(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++) {
+        sample pool = family_make(&families[family_named("lattice")], NULL, dim, 4 * points_in[dim], 4);
+        game g = game_begin(&pool, pool.count / 2, NULL, 2);
+        for (int step = 0; step < 400; step++) {
+            double x[CELLS_MAX_DIM], w, best = 1e300;
+            paradt_index hint = step % 2 ? shadow_any(&g.s, &g.seed) : -1, vertices[PARADT_MAX_DIM + 1], nearest;
+            game_step(&g, pool.count / 2);
+            if (g.s.count < 2 * dim)
+                continue;
+            game_point(&g, x, &w);
+            paradt_location at = paradt_dynamic_locate(g.d, x, hint);
+            assert_true(paradt_dynamic_cell(g.d, at.cell, vertices, NULL));
+            nearest = paradt_dynamic_nearest(g.d, x, hint);
+            for (int i = 0; i < g.s.ids; i++) {
+                double distance = 0.0;
+                for (int k = 0; k < dim; k++)
+                    distance += (g.s.x[i * dim + k] - x[k]) * (g.s.x[i * dim + k] - x[k]);
+                if (g.s.there[i] && distance < best)
+                    best = distance;
+            }
+            for (int k = 0; k < dim; k++)
+                best -= (g.s.x[nearest * dim + k] - x[k]) * (g.s.x[nearest * dim + k] - x[k]);
+            assert_true(fabs(best) < 1e-9);
+            if (at.face && !(at.face & (at.face - 1))) // on a vertex
+                for (int i = 0; i <= dim; i++)
+                    if (at.face >> i & 1)
+                        assert_memory_equal(g.s.x + vertices[i] * dim, x, sizeof(double) * (size_t)dim);
+        }
+        game_end(&g);
+        sample_free(&pool);
+    }
+}
+
+// Many changes in a row; SOAK says how many.
+static void soak(void **state) {
+    const char *wanted = getenv("SOAK");
+    long steps = wanted ? atol(wanted) : SANITIZED ? 5000 : 100000;
+    static const char *const names[] = {"uniform", "lattice", "duplicates", "sphere"};
+    (void)state;
+    for (int run = 0; run < 8; run++) {
+        int dim = 2 + run % 2;
+        sample pool = family_make(&families[family_named(names[run / 2])], &weightings[run % 3 == 2 ? 3 : 0], dim, 2000, 4);
+        game g = game_begin(&pool, 1000, NULL, (uint64_t)run);
+        for (long step = 0; step < steps / 8; step++) {
+            game_step(&g, 1000);
+            if (step % (steps / 80) == 0)
+                expect_canonical(g.d, &g.s, pool.name);
+        }
+        expect_canonical(g.d, &g.s, pool.name);
+        game_end(&g);
+        sample_free(&pool);
+    }
+}
+
+int main(void) {
+    struct CMUnitTest tests[2 * FAMILY_COUNT + 16];
+    static const char *const some[] = {"uniform", "lattice", "duplicates", "axis plane", "line"};
+    size_t count = 0;
+    for (int f = 0; f < FAMILY_COUNT; f++)
+        tests[count++] = named_test(changed_is_new, (void *)(intptr_t)f, "changed_is_new_%s", families[f].name);
+    for (size_t i = 0; i < sizeof some / sizeof *some; i++)
+        tests[count++] = named_test(failing_allocations_leave_the_set, (void *)(intptr_t)family_named(some[i]),
+                                    "failing_allocations_leave_the_set_%s", some[i]);
+    tests[count++] = named_test(failing_allocations_while_creating, NULL, "failing_allocations_while_creating");
+    tests[count++] = named_test(dimension_rises_and_falls, NULL, "dimension_rises_and_falls");
+    tests[count++] = named_test(range_grows, NULL, "range_grows");
+    tests[count++] = named_test(many_neighbours_take_no_square, NULL, "many_neighbours_take_no_square");
+    tests[count++] = named_test(memory_limit_is_kept, NULL, "memory_limit_is_kept");
+    tests[count++] = named_test(cancelled_batches_leave_the_set, NULL, "cancelled_batches_leave_the_set");
+    tests[count++] = named_test(wrong_arguments_are_refused, NULL, "wrong_arguments_are_refused");
+    tests[count++] = named_test(updates_tell_what_changed, NULL, "updates_tell_what_changed");
+    tests[count++] = named_test(places_are_found, NULL, "places_are_found");
+    tests[count++] = named_test(soak, NULL, "soak");
+    return run_named_tests("dynamic", tests, count);
+}
