@@ -1437,7 +1437,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   mesh
 //     mesh                         694   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        185   conflict test, walk, update
+//     scene                        202   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
@@ -1499,7 +1499,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
-//     locator                      574   the entry of queries
+//     locator                      634   the entry of queries
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -22416,27 +22416,64 @@ typedef struct paradt__asking {
 
 enum { PARADT__ASK_PACE = 1 << 9 }; // queries between two looks at whether the call is cancelled
 
+// Buckets of the queries to come, at their number modulo that of places
+enum { PARADT__ASK_AHEAD = 8 };
+
+// Fetches ahead of their use what the queries after query i begin with: first the bucket, then what it names, then what
+// is there.
+PARADT__INLINE void paradt__ask_fetch(const paradt__asking *asking, size_t *buckets, size_t i, size_t end) {
+    enum { NAMED = 5, FOUND = 2 };
+    const paradt_locator *locator = asking->locator;
+    const paradt__mesh *mesh = &locator->scene.mesh;
+    const paradt__set *set = &asking->set;
+    const size_t corners = (size_t)mesh->corners;
+    size_t soon, j;
+    if (i + PARADT__ASK_AHEAD < end) {
+        paradt__starts_at(&locator->starts, set->records + (i + PARADT__ASK_AHEAD) * set->width, &soon);
+        buckets[i % PARADT__ASK_AHEAD] = soon;
+        PARADT__FETCH(locator->cell_at, soon);
+    }
+    if (i + FOUND >= end) return;
+    soon = i + NAMED < end ? buckets[(i + NAMED) % PARADT__ASK_AHEAD] : 0;
+    if (asking->locations) {
+        paradt__fetch_row(mesh->vertices, mesh->links, (size_t)locator->cell_at[soon], corners);
+        soon = (size_t)locator->cell_at[buckets[(i + FOUND) % PARADT__ASK_AHEAD]];
+        for (j = 0; j < corners; j++)
+            PARADT__FETCH(locator->set.records, (size_t)mesh->vertices[soon * corners + j] * locator->set.width);
+    } else {
+        PARADT__FETCH(locator->neighbors.first, locator->starts.buckets[soon]);
+        soon = (size_t)locator->starts.buckets[buckets[(i + FOUND) % PARADT__ASK_AHEAD]];
+        PARADT__FETCH(locator->set.records, soon * locator->set.width);
+        PARADT__FETCH(locator->neighbors.items, locator->neighbors.first[soon]);
+    }
+}
+
 // Answers the queries of a task, in their order along the curve.
 static void paradt__ask_task(void *context, size_t task) {
     const paradt__asking *asking = (const paradt__asking *)context;
     const paradt_locator *locator = asking->locator;
     const paradt__set *set = &asking->set;
-    size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, bucket, last = SIZE_MAX;
+    size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, last = SIZE_MAX;
+    size_t buckets[PARADT__ASK_AHEAD], bucket;
     paradt_index vertex = -1, cell = -1;
     paradt__view view;
     paradt__locator_view(locator, &view);
+    for (bucket = 0; bucket < PARADT__ASK_AHEAD && i + bucket < end; bucket++)
+        paradt__starts_at(&locator->starts, set->records + (i + bucket) * set->width,
+                          &buckets[(i + bucket) % PARADT__ASK_AHEAD]);
     for (; i < end; i++) {
         const double *x = set->records + i * set->width;
-        paradt_index start = paradt__starts_at(&locator->starts, x, &bucket);
         if ((i - first) % PARADT__ASK_PACE == 0 &&
             paradt__team_cancels(asking->team, task, (double)(i - first) / (double)(end - first)))
             return;
+        bucket = buckets[i % PARADT__ASK_AHEAD];
+        paradt__ask_fetch(asking, buckets, i, end);
         paradt__view_admit(&view, x);
         if (asking->locations) {
             if (bucket != last) cell = locator->cell_at[bucket];
             asking->locations[set->origin[i]] = paradt__locator_at(&view, &cell, x);
         } else {
-            if (bucket != last) vertex = start;
+            if (bucket != last) vertex = locator->starts.buckets[bucket];
             vertex = paradt__descend(&view.scene, &locator->neighbors, x, vertex);
             asking->vertices[set->origin[i]] = locator->set.origin[vertex];
         }
