@@ -1606,13 +1606,13 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     repair                       523   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
-//     starting cells               275   a vertex near any place
+//     starting cells               280   a vertex near any place
 //     distances                    161   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
-//     locator                      597   the entry of queries
+//     locator                      644   the entry of queries
 //     holes of vertices            381   the hole where a vertex goes, and wrapping it
 //     filling holes                391   what fills it
 //     state of a living set        698   columns, journal, hidden and coincident points
@@ -21270,7 +21270,7 @@ typedef struct paradt__start_grid {
 
 typedef struct paradt__starts {
     int dim;
-    double low[PARADT_MAX_DIM], scale[PARADT_MAX_DIM]; // (x - low) * scale is from 0 to 1
+    double low[PARADT_MAX_DIM], scale[PARADT_MAX_DIM]; // (x / 2 - low / 2) * scale is from 0 to 1
     double side[PARADT_MAX_DIM];                       // of the box, halved
     paradt_index *buckets;
     size_t bucket_count, bucket_capacity;
@@ -21291,8 +21291,8 @@ PARADT__INLINE size_t paradt__starts_bucket(const paradt__starts *starts, const 
     double part[PARADT_MAX_DIM];
     int axis;
     for (axis = 0; axis < dim; axis++) {
-        double place = (x[axis] - starts->low[axis]) * starts->scale[axis];
-        part[axis] = place > 0 ? place < most ? place : most : 0; // 0 for what is not a number, too
+        double place = (x[axis] * 0.5 - starts->low[axis] * 0.5) * starts->scale[axis];
+        part[axis] = place > 0 ? place < most ? place : most : 0;
     }
     for (;;) {
         size_t at = 0;
@@ -21344,11 +21344,16 @@ static void paradt__starts_corner(const paradt__starts *starts, const paradt__st
                                                 paradt__power(-grid->above[axis] - grid->bits[axis]);
 }
 
-// Fills the centre of bucket i of a grid.
-PARADT__OPTIONAL void paradt__starts_centre(const paradt__starts *starts, const paradt__start_grid *grid, size_t i,
-                                            double *centre) {
+// Fills the centre of a bucket.
+PARADT__OPTIONAL void paradt__starts_centre(const paradt__starts *starts, size_t bucket, double *centre) {
+    size_t grid = 0, end = starts->grid_count;
     int axis;
-    paradt__starts_corner(starts, grid, i, 0.5, centre);
+    while (end - grid > 1) { // the grids are in the order of their buckets
+        size_t middle = grid + (end - grid) / 2;
+        if (starts->grids[middle].first <= bucket) grid = middle;
+        else end = middle;
+    }
+    paradt__starts_corner(starts, starts->grids + grid, bucket - starts->grids[grid].first, 0.5, centre);
     for (axis = 0; axis < starts->dim; axis++)
         centre[axis] = starts->low[axis] + starts->side[axis] * centre[axis] + starts->side[axis] * centre[axis];
 }
@@ -21498,7 +21503,7 @@ PARADT__OPTIONAL paradt_status paradt__starts_make(paradt__starts *starts, const
     }
     for (axis = 0; axis < dim; axis++) {
         starts->side[axis] = high[axis] * 0.5 - starts->low[axis] * 0.5;
-        starts->scale[axis] = starts->side[axis] > 0 ? 0.5 / starts->side[axis] : 0;
+        starts->scale[axis] = starts->side[axis] > 1e-300 ? 1 / starts->side[axis] : 0; // no infinity
     }
     status = paradt__starts_refine(starts, points, memory, meter);
     if (status) return status;
@@ -22351,6 +22356,8 @@ static paradt_status paradt__along(paradt__view *view, paradt_index from, const 
 // bucket of the starting cells; else at the vertex of its own bucket, which does not matter more for speed than that.
 // Doors: the public functions.
 
+enum { PARADT__ASK_PACE = 1 << 9 }; // queries between two looks at whether the call is cancelled
+
 struct paradt_locator {
     paradt__memory memory;
     paradt__set set;            // the vertices
@@ -22493,33 +22500,42 @@ static paradt_index paradt__locating_nearest(const paradt__scene *scene, paradt_
     return best;
 }
 
-// Finds for each bucket the cell that its centre is in, or is seen from, and of this cell the vertex that is nearest to
-// the centre. From one to the next, which are neighbours.
+// Finds the cell that the centre of a bucket is in, or is seen from; and of this cell, instead of the vertex that the
+// bucket names, the one that is nearest to the centre. *place: where to begin; then the cell
+static void paradt__locating_centre(paradt_locator *locator, paradt__view *view, size_t bucket, paradt_index *place) {
+    double centre[PARADT_MAX_DIM];
+    unsigned inside;
+    paradt_index found;
+    paradt__starts_centre(&locator->starts, bucket, centre);
+    paradt__view_admit(view, centre);
+    found = paradt__place_in(view, *place, centre, &inside);
+    *place = found < 0 ? 0 : found;
+    locator->cell_at[bucket] = *place;
+    if (locator->starts.buckets[bucket] >= 0)
+        locator->starts.buckets[bucket] = paradt__locating_nearest(&view->scene, *place, centre);
+}
+
+// Does so for all buckets: those of the vertices in their order along the curve, then the empty ones.
 static paradt_status paradt__locating_centres(paradt__locating *work) {
     paradt_locator *locator = work->locator;
-    paradt__starts *starts = &locator->starts;
+    const paradt__starts *starts = &locator->starts;
     paradt_index place = 0;
     paradt__view view;
-    size_t grid, i;
+    size_t i, bucket;
     locator->cell_at =
         (paradt_index *)paradt__alloc_filled(&locator->memory, starts->bucket_count, sizeof *locator->cell_at);
     if (!locator->cell_at) return PARADT_ERROR_MEMORY;
+    for (i = 0; i < starts->bucket_count; i++) locator->cell_at[i] = -1;
     paradt__locator_view(locator, &view);
-    for (grid = 0; grid < starts->grid_count; grid++) {
-        for (i = 0; i < (size_t)1 << starts->grids[grid].all; i++) {
-            double centre[PARADT_MAX_DIM];
-            unsigned inside;
-            paradt_index found;
-            if (i % PARADT__PACE == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
-            paradt__starts_centre(starts, starts->grids + grid, i, centre);
-            paradt__view_admit(&view, centre);
-            found = paradt__place_in(&view, place, centre, &inside);
-            place = found < 0 ? 0 : found;
-            locator->cell_at[starts->grids[grid].first + i] = place;
-            found = paradt__locating_nearest(&view.scene, place, centre);
-            if (starts->buckets[starts->grids[grid].first + i] >= 0)
-                starts->buckets[starts->grids[grid].first + i] = found;
-        }
+    for (i = 0; i < locator->set.count; i++) {
+        if (i % PARADT__ASK_PACE == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
+        paradt__starts_at(starts, paradt__record(&locator->set, (paradt_index)i), &bucket);
+        if (locator->cell_at[bucket] < 0) paradt__locating_centre(locator, &view, bucket, &place);
+    }
+    for (i = 0; i < starts->bucket_count; i++) {
+        if (i % PARADT__ASK_PACE == 0 && paradt__meter_cancels(&work->meter)) return PARADT_ERROR_CANCELLED;
+        if (locator->cell_at[i] < 0) paradt__locating_centre(locator, &view, i, &place);
+        place = locator->cell_at[i];
     }
     return PARADT_OK;
 }
@@ -22567,7 +22583,7 @@ static paradt_status paradt__locating_point(paradt__locating *work) {
 }
 
 // Makes all of a locator of a triangulation that has cells.
-static paradt_status paradt__locating_make(paradt__locating *work, const paradt_points *points, int facets) {
+PARADT__HOT paradt_status paradt__locating_make(paradt__locating *work, const paradt_points *points, int facets) {
     paradt_locator *locator = work->locator;
     paradt__memory *memory = &locator->memory;
     size_t bad;
@@ -22752,7 +22768,8 @@ PARADT_DEF paradt_status paradt_within(const paradt_locator *locator, const doub
     paradt_index vertex;
     if (count) *count = 0;
     if (!locator || !x || !work || !count || (capacity && !out)) return PARADT_ERROR_ARGUMENT;
-    if (!paradt__locator_take(locator, x, own) || radius != radius) return PARADT_ERROR_NOT_FINITE;
+    if (!paradt__locator_take(locator, x, own) || paradt__bits(radius) << 1 > (uint64_t)2047 << 53) // a NaN
+        return PARADT_ERROR_NOT_FINITE;
     if (locator->scene.space.dim < 0 || radius < 0) return PARADT_OK;
     scratch = paradt__scratch_of(work);
     if (!scratch) return PARADT_ERROR_MEMORY;
@@ -22810,29 +22827,64 @@ typedef struct paradt__asking {
     paradt_index *vertices;       // [queries]
 } paradt__asking;
 
-enum { PARADT__ASK_PACE = 1 << 9 }; // queries between two looks at whether the call is cancelled
+// Buckets of the queries to come, at their number modulo that of places
+enum { PARADT__ASK_AHEAD = 8 };
+
+// Fetches ahead of their use what the queries after query i begin with: first the bucket, then what it names, then what
+// is there.
+PARADT__INLINE void paradt__ask_fetch(const paradt__asking *asking, size_t *buckets, size_t i, size_t end) {
+    enum { NAMED = 5, FOUND = 2 };
+    const paradt_locator *locator = asking->locator;
+    const paradt__mesh *mesh = &locator->scene.mesh;
+    const paradt__set *set = &asking->set;
+    const size_t corners = (size_t)mesh->corners;
+    size_t soon, j;
+    if (i + PARADT__ASK_AHEAD < end) {
+        paradt__starts_at(&locator->starts, set->records + (i + PARADT__ASK_AHEAD) * set->width, &soon);
+        buckets[i % PARADT__ASK_AHEAD] = soon;
+        PARADT__FETCH(locator->cell_at, soon);
+    }
+    if (i + FOUND >= end) return;
+    soon = i + NAMED < end ? buckets[(i + NAMED) % PARADT__ASK_AHEAD] : 0;
+    if (asking->locations) {
+        paradt__fetch_row(mesh->vertices, mesh->links, (size_t)locator->cell_at[soon], corners);
+        soon = (size_t)locator->cell_at[buckets[(i + FOUND) % PARADT__ASK_AHEAD]];
+        for (j = 0; j < corners; j++)
+            PARADT__FETCH(locator->set.records, (size_t)mesh->vertices[soon * corners + j] * locator->set.width);
+    } else {
+        PARADT__FETCH(locator->neighbors.first, locator->starts.buckets[soon]);
+        soon = (size_t)locator->starts.buckets[buckets[(i + FOUND) % PARADT__ASK_AHEAD]];
+        PARADT__FETCH(locator->set.records, soon * locator->set.width);
+        PARADT__FETCH(locator->neighbors.items, locator->neighbors.first[soon]);
+    }
+}
 
 // Answers the queries of a task, in their order along the curve.
-static void paradt__ask_task(void *context, size_t task) {
+PARADT__HOT void paradt__ask_task(void *context, size_t task) {
     const paradt__asking *asking = (const paradt__asking *)context;
     const paradt_locator *locator = asking->locator;
     const paradt__set *set = &asking->set;
-    size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, bucket, last = SIZE_MAX;
+    size_t i, end = paradt__loader_range(asking->team, set->count, task, &i), first = i, last = SIZE_MAX;
+    size_t buckets[PARADT__ASK_AHEAD], bucket;
     paradt_index vertex = -1, cell = -1;
     paradt__view view;
     paradt__locator_view(locator, &view);
+    for (bucket = 0; bucket < PARADT__ASK_AHEAD && i + bucket < end; bucket++)
+        paradt__starts_at(&locator->starts, set->records + (i + bucket) * set->width,
+                          &buckets[(i + bucket) % PARADT__ASK_AHEAD]);
     for (; i < end; i++) {
         const double *x = set->records + i * set->width;
-        paradt_index start = paradt__starts_at(&locator->starts, x, &bucket);
         if ((i - first) % PARADT__ASK_PACE == 0 &&
             paradt__team_cancels(asking->team, task, (double)(i - first) / (double)(end - first)))
             return;
+        bucket = buckets[i % PARADT__ASK_AHEAD];
+        paradt__ask_fetch(asking, buckets, i, end);
         paradt__view_admit(&view, x);
         if (asking->locations) {
             if (bucket != last) cell = locator->cell_at[bucket];
             asking->locations[set->origin[i]] = paradt__locator_at(&view, &cell, x);
         } else {
-            if (bucket != last) vertex = start;
+            if (bucket != last) vertex = locator->starts.buckets[bucket];
             vertex = paradt__descend(&view.scene, &locator->neighbors, x, vertex);
             asking->vertices[set->origin[i]] = locator->set.origin[vertex];
         }

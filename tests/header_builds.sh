@@ -59,7 +59,7 @@ for family in gcc clang; do
     builds "${family}_no_simd_windows_words" "$family -std=c99 -DPARADT_NO_SIMD -Dnear= -Dfar= -Dsmall=char -Dinterface=struct \
         -DIN= -DOUT= $c $smallest -o $work/${family}_no_simd_windows_words -lm"
     builds "${family}_insertion_alone" "$family -std=c99 -DPARADT_NO_FRONTS -DPARADT_NO_REGIONS -DPARADT_NO_TREE -DPARADT_NO_FLIPS \
-        -DPARADT_NO_HULLS -DPARADT_NO_MEASURES -DPARADT_NO_VORONOI -DPARADT_MAX_DIM=3 \
+        -DPARADT_NO_HULLS -DPARADT_NO_MEASURES -DPARADT_NO_LOCATOR -DPARADT_NO_DYNAMIC -DPARADT_NO_VORONOI -DPARADT_MAX_DIM=3 \
         $c $smallest -o $work/${family}_insertion_alone -lm"
     builds "${family}_no_hulls" "$family -std=c99 -DPARADT_NO_HULLS $c $smallest -o $work/${family}_no_hulls -lm"
     builds "${family}_no_regions" "$cxx -std=c++11 -DPARADT_NO_REGIONS $common -x c++ $smallest -o $work/${family}_no_regions -lm"

@@ -994,7 +994,6 @@ int main(void) {
         cmocka_unit_test(any_call_of_progress_may_cancel),
         cmocka_unit_test(threads_ask_one_locator_at_once),
     };
-    if (getenv("ONLY")) { cmocka_set_test_filter(getenv("ONLY")); return cmocka_run_group_tests(others, NULL, NULL); }
     if (RACES_ONLY)
         return cmocka_run_group_tests(races, NULL, NULL);
     for (int f = 0; f < FAMILY_COUNT; f++) {
