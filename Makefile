@@ -57,9 +57,9 @@ FUZZERS      := $(sort $(wildcard fuzz/*.c))
 NEEDS_CGAL   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]cgal\.h' $(C_TESTS)))
 NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle|verify|harness)\.h' $(C_TESTS)))
 # These run the whole library under the sanitizers. Left out are the comparison with CGAL, whose code is not to be tested, and a
-# program that only compares the cells of thousands of triangulations. Two programs have threads.
+# program that only compares the cells of thousands of triangulations. Three programs have threads.
 SANITIZED    := $(filter-out $(NEEDS_CGAL) tests/definition.c,$(C_TESTS))
-RACES        := tests/methods_agree.c tests/lifted_hull.c
+RACES        := tests/methods_agree.c tests/lifted_hull.c tests/voronoi.c
 # `make check` runs these, and the shell tests in part where they know QUICK.
 QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) tests/lifted_hull.c tests/optimality.c tests/resources.c,$(C_TESTS))
 QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
