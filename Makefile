@@ -71,7 +71,7 @@ NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle
 # These run the whole library under the sanitizers. Left out are the comparisons with CGAL and Voro++, whose code is not to be
 # tested, and a program that only compares the cells of thousands of triangulations. These programs have threads.
 SANITIZED    := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/definition.c,$(C_TESTS))
-RACES        := tests/locator.c tests/methods_agree.c tests/lifted_hull.c
+RACES        := tests/locator.c tests/methods_agree.c tests/lifted_hull.c tests/voronoi.c
 # `make check` runs these, and the shell tests in part where they know QUICK.
 QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/lifted_hull.c tests/optimality.c tests/resources.c,$(C_TESTS))
 QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))

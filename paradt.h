@@ -1621,12 +1621,12 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
 //     Voronoi vertices             157   centres of cells, and their errors
-//     Voronoi faces                491   faces and volumes that nothing clips
+//     Voronoi faces                488   faces and volumes that nothing clips
 //     planes of a cell             329   where planes meet, in integers
 //     clipped cell                 550   a cell as planes and vertices, in any dimension
-//     measures of a clipped cell   252   volumes, areas, centroids
-//     clipping                     470   all cells that walls or infinity clip
-//     Voronoi                      634   the entry
+//     measures of a clipped cell   257   volumes, areas, centroids
+//     clipping                     481   all cells that walls or infinity clip
+//     Voronoi                      636   the entry
 //   check
 //     check                        501   the certificate
 //     check of the hull            287   ... and of hidden points
@@ -26315,7 +26315,7 @@ PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int 
 // to the first cell around it, and a mark at each cell tells which of its edges are done.
 //
 // A face is there if it has d different vertices: these are corners of a convex polygon, so that three are not in a
-// line. Most differ by more than their errors; otherwise the spheres of neighbouring cells are compared exactly.
+// line. Most have a measure beyond its error; otherwise the spheres of neighbouring cells are compared exactly.
 //
 // Errors. Let the vertices of a polygon with m corners err by at most e in each coordinate, and let s be the largest
 // coordinate of a difference to the first of them. A difference errs by 2 e + u s, u the roundoff, so a coordinate of
@@ -26423,7 +26423,7 @@ typedef struct paradt__ring {
     double moment[3]; // the sum over the fan's triangles of what they add to `along`, times the sum of two corners
     double along;     // the sum of the triangles' areas, in the direction of the normal
     double size, error;
-    int corners, changes; // changes: how many times neighbours certainly differ
+    int corners;
 } paradt__ring;
 
 // Walks around an edge, from a cell to itself, and marks the edge at all cells of the chunk. Returns 0 if one of the
@@ -26433,11 +26433,11 @@ PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *do
                                      int moments) {
     const unsigned char *places = paradt__ring_edges[edge];
     const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
-    const double *first = paradt__row_centre(row, 3), *last = first, *next;
+    const double *first = paradt__row_centre(row, 3), *next;
     paradt_index at = cell, kept = row[places[3]], handle;
     int cross = places[2], j;
     double a[3] = {0}, b[3], area[3] = {0}, moment[3] = {0}, along = 0, size = 0, error = first[3];
-    int corners = 0, changes = 0;
+    int corners = 0;
     do {
         handle = row[4 + cross];
         at = handle >> 2;
@@ -26447,7 +26447,6 @@ PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *do
         if (at < cell) return 0;
         if ((size_t)at < end) done[at] |= paradt__ring_marks[cross & 3][handle & 3];
         next = paradt__row_centre(row, 3);
-        changes += paradt__centres_differ(last, next, 3);
         corners++;
         b[0] = next[0] - first[0], b[1] = next[1] - first[1], b[2] = next[2] - first[2];
         error = paradt__larger(error, next[3]);
@@ -26465,7 +26464,6 @@ PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *do
         size = paradt__larger(paradt__larger(size, paradt__abs(b[0])),
                               paradt__larger(paradt__abs(b[1]), paradt__abs(b[2])));
         a[0] = b[0], a[1] = b[1], a[2] = b[2];
-        last = next;
     } while (at != cell);
     (void)begin;
     for (j = 0; j < 3; j++) ring->area[j] = area[j], ring->moment[j] = moment[j];
@@ -26473,7 +26471,6 @@ PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *do
     ring->size = size;
     ring->error = error;
     ring->corners = corners;
-    ring->changes = changes;
     return 1;
 }
 
@@ -26570,7 +26567,6 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
     int j, turns;
     for (j = 0; j < 3; j++) normal[j] = to[j] - from[j];
     if (!paradt__ring_walk(g, facing->done, begin, end, cell, edge, normal, &ring, moments)) return PARADT_OK;
-    if (ring.changes < 3 && paradt__ring_changes(g, space, cell, edge) < 3) return PARADT_OK;
     turns = ring.corners - 2;
     measure = 0.5 * (ring.area[0] * normal[0] + ring.area[1] * normal[1] + ring.area[2] * normal[2]);
     step = 2 * ring.error + PARADT__ROUNDOFF * ring.size;
@@ -26578,6 +26574,7 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
         turns * (4 * ring.size * step + 2 * step * step + (16 + 2 * turns) * PARADT__ROUNDOFF * ring.size * ring.size) +
         g->tiny;
     error *= 0.5 * (paradt__abs(normal[0]) + paradt__abs(normal[1]) + paradt__abs(normal[2]));
+    if (!(measure > error) && paradt__ring_changes(g, space, cell, edge) < 3) return PARADT_OK;
     for (j = 0; j < 3 && moments; j++) where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
     if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 3);
     if (!list) return PARADT_OK;
@@ -26600,11 +26597,11 @@ PARADT__INLINE void paradt__ring_fetch(const paradt__diagram *g, size_t cell, si
     int i, j;
     if (cell >= g->cells) return;
     row = paradt__row_vertices(g, cell, bytes) + 4;
-    for (i = 0; i < 4; i++) PARADT__FETCH(g->rows, (size_t)(row[i] < 0 ? 0 : row[i] >> 2) * bytes);
+    for (i = 0; i < 4; i++) PARADT__FETCH(g->rows, (size_t)(row[i] >> 2) * bytes);
     row = paradt__row_vertices(g, sooner, bytes) + 4;
     for (i = 0; i < 4; i++) {
         const paradt_index *next = paradt__row_vertices(g, (size_t)(row[i] < 0 ? 0 : row[i] >> 2), bytes) + 4;
-        for (j = 0; j < 4; j++) PARADT__FETCH(g->rows, (size_t)(next[j] < 0 ? 0 : next[j] >> 2) * bytes);
+        for (j = 0; j < 4; j++) PARADT__FETCH(g->rows, (size_t)(next[j] >> 2) * bytes);
     }
 }
 
@@ -27702,10 +27699,9 @@ typedef struct paradt__convex_face {
 } paradt__convex_face;
 
 // Measures a face of a cell in space or in the plane, and the cone from `apex` over it, in multiples of d!.
-static void paradt__convex_measure_face(const paradt__convex *c, paradt_index plane, const double *apex,
-                                        paradt__convex_face *face) {
+PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_index plane, const double *apex,
+                                               paradt__convex_face *face, int d) {
     const paradt__halfspace *h = c->planes + plane;
-    const int d = c->d;
     paradt_index entry = c->entry[plane], at = entry;
     const double *first = paradt__convex_place(c, (size_t)(entry / d));
     double a[3] = {0}, b[3] = {0}, o[3] = {0}, area[3] = {0}, sum[3] = {0}, along = 0, square = 0, size = 0, error = 0;
@@ -27764,6 +27760,12 @@ static void paradt__convex_measure_face(const paradt__convex *c, paradt_index pl
         double fan = along > 0 || along < 0 ? sum[j] / ((d == 2 ? 2 : 3) * along) : 0;
         face->centroid[j] = distant ? NAN : first[j] + fan;
     }
+}
+
+static void paradt__convex_measure_face(const paradt__convex *c, paradt_index plane, const double *apex,
+                                        paradt__convex_face *face) {
+    if (c->d == 2) paradt__convex_measure_any(c, plane, apex, face, 2);
+    else paradt__convex_measure_any(c, plane, apex, face, 3);
 }
 
 // --- higher dimensions
@@ -28271,6 +28273,9 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
     const paradt__diagram *g = clipping->g;
     size_t n = g->set.count, i, j, at, corners = (size_t)g->k + 1;
     paradt_index *slot;
+    paradt__list cells;
+    paradt_status status = PARADT_OK;
+    memset(&cells, 0, sizeof cells);
     for (i = 0; i < n; i++) clipping->point_count += again[i] != 0;
     if (!clipping->point_count) return PARADT_OK;
     clipping->points = (paradt_index *)paradt__alloc(g->memory, clipping->point_count, sizeof *clipping->points);
@@ -28285,25 +28290,33 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
         slot[i] = again[i] ? (paradt_index)at : -1;
         if (again[i]) clipping->points[at++] = (paradt_index)i;
     }
-    for (i = 0; i < g->cells; i++) {
+    for (i = 0; i < g->cells && !status; i++) {
         const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
-        for (j = 0; j < corners; j++)
-            if (slot[row[j]] >= 0) clipping->first[slot[row[j]] + 1]++;
-    }
-    for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
-    clipping->around =
-        (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1, sizeof *clipping->around);
-    for (i = 0; i < g->cells && clipping->around; i++) {
-        const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
+        int any = 0;
         for (j = 0; j < corners; j++) {
             paradt_index of = slot[row[j]];
-            if (of >= 0) clipping->around[clipping->first[of]++] = (paradt_index)i;
+            if (of >= 0) clipping->first[of + 1]++, any = 1;
+        }
+        if (any) status = paradt__list_append(&cells, (paradt_index)i, g->memory);
+    }
+    for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
+    if (!status) {
+        clipping->around = (paradt_index *)paradt__alloc(g->memory, clipping->first[clipping->point_count] + 1,
+                                                         sizeof *clipping->around);
+        if (!clipping->around) status = PARADT_ERROR_MEMORY;
+    }
+    for (i = 0; i < cells.count && !status; i++) {
+        const paradt_index *row = paradt__row_vertices(g, (size_t)cells.items[i], g->row_bytes);
+        for (j = 0; j < corners; j++) {
+            paradt_index of = slot[row[j]];
+            if (of >= 0) clipping->around[clipping->first[of]++] = cells.items[i];
         }
     }
     for (i = clipping->point_count; i > 0; i--) clipping->first[i] = clipping->first[i - 1];
     clipping->first[0] = 0;
     paradt__release(g->memory, slot);
-    return clipping->around ? PARADT_OK : PARADT_ERROR_MEMORY;
+    paradt__list_free(&cells, g->memory);
+    return status;
 }
 
 // Puts what a task has listed behind what is in the lists.
@@ -28651,27 +28664,27 @@ PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, para
     return PARADT_OK;
 }
 
-// For each cell its faces, in the order of their numbers
+// For each cell its faces, in the order of their numbers. The sides are positions yet.
 PARADT__HOT paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, paradt_voronoi *out) {
-    size_t i, n = work->g.set.count, side;
+    const paradt__diagram *g = &work->g;
+    size_t i, n = g->set.count, *next;
     paradt_status status = PARADT_OK;
     out->first_face = (size_t *)paradt__voronoi_array(work, n + 1, sizeof *out->first_face, &status);
-    if (status) return status;
-    memset(out->first_face, 0, (n + 1) * sizeof *out->first_face);
-    for (i = 0; i < 2 * out->face_count; i++)
-        if (out->sides[i] >= 0) out->first_face[(size_t)out->sides[i] + 1]++;
-    for (i = 0; i < n; i++) out->first_face[i + 1] += out->first_face[i];
-    out->faces = (paradt_index *)paradt__voronoi_array(work, out->first_face[n], sizeof *out->faces, &status);
-    if (status) return status;
-    for (i = 0; i < out->face_count; i++) {
-        for (side = 0; side < 2; side++) {
-            paradt_index point = out->sides[2 * i + side];
-            if (point >= 0) out->faces[out->first_face[point]++] = (paradt_index)i;
-        }
+    next = (size_t *)paradt__voronoi_array(work, n, sizeof *next, &status); // by position
+    if (!status) {
+        memset(next, 0, n * sizeof *next);
+        for (i = 0; i < 2 * out->face_count; i++)
+            if (out->sides[i] >= 0) next[out->sides[i]]++;
+        out->first_face[0] = 0;
+        for (i = 0; i < n; i++) out->first_face[paradt__voronoi_index(g, i) + 1] = next[i];
+        for (i = 0; i < n; i++) out->first_face[i + 1] += out->first_face[i];
+        for (i = 0; i < n; i++) next[i] = out->first_face[paradt__voronoi_index(g, i)];
+        out->faces = (paradt_index *)paradt__voronoi_array(work, out->first_face[n], sizeof *out->faces, &status);
     }
-    for (i = n; i > 0; i--) out->first_face[i] = out->first_face[i - 1];
-    out->first_face[0] = 0;
-    return PARADT_OK;
+    for (i = 0; i < 2 * out->face_count && !status; i++)
+        if (out->sides[i] >= 0) out->faces[next[out->sides[i]]++] = (paradt_index)(i / 2);
+    paradt__release(&work->memory, next);
+    return status;
 }
 
 // Hands over the faces.
@@ -28679,6 +28692,7 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     paradt__face_list *list = &work->list;
     const paradt__diagram *g = &work->g;
     size_t i, d = (size_t)g->d, j;
+    paradt_status status;
     out->face_count = list->count;
     out->sides = list->sides;
     out->areas = list->areas;
@@ -28686,6 +28700,7 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     out->normals = list->normals;
     list->sides = NULL;
     list->areas = list->centroids = list->normals = NULL;
+    status = paradt__voronoi_incidence(work, out);
     for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
         if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
     for (i = 0; i < out->face_count && out->areas && g->shift; i++)
@@ -28699,7 +28714,7 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
             out->face_centroids[i * d + (size_t)g->set.axes[j]] = paradt__voronoi_unscaled(g, centroid[j], 1);
         }
     }
-    return paradt__voronoi_incidence(work, out);
+    return status;
 }
 
 // Clips what has to be clipped, or was measured with an error as large as what was measured.
