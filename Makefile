@@ -18,6 +18,10 @@ PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
+# The tools read what gzip has compressed if zlib is there. ZLIB= builds them without it.
+ZLIB ?= $(if $(filter clean help,$(MAKECMDGOALS)),,$(shell echo 'int main(void) { return zlibVersion() == 0; }' | \
+    $(CC) -include zlib.h -x c -o /dev/null - -lz 2>/dev/null && echo -DPARADT_ZLIB -lz))
+
 .PHONY: all run examples check test bench thesis study theory lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
@@ -25,11 +29,11 @@ all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is 
 
 $(BUILD)/paradt: examples/paradt.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+	$(CC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< $(ZLIB) -pthread -lm
 
 $(BUILD)/paradt_mpi: examples/paradt_mpi.c
 	@mkdir -p $(@D)
-	$(MPICC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+	$(MPICC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< $(ZLIB) -pthread -lm
 
 RUN_INPUT   := gen:plummer:100000:1
 RUN_OUTPUTS := $(BUILD)/cluster.vtu $(BUILD)/cluster.png
