@@ -219,8 +219,8 @@ static void print_help(void) {
     }
     printf(
         "\nOutputs, by extension: %s\n"
-        "  .ele comes with .node and .neigh; .off, .ply and .obj hold the hull in 3D, the triangles in 2D\n"
-        "  with --hull: .off, .ply and .obj, and .npy, the array of facets\n"
+        "  .ele comes with .node and .neigh; .off, .ply, .obj and .stl hold the hull in 3D, the triangles in 2D\n"
+        "  with --hull: .off, .ply, .obj and .stl, and .npy and .csv, the array of facets\n"
         "  of --voronoi: .csv, .npy (a row a point: index, volume, centroid, number of faces), .vtu, .svg and .png;\n"
         "  of --locate and --nearest, whose Q is as INPUT: .csv, .npy (a row a query) and .vtu;\n"
         "  for these three - is a .csv on standard output, instead of the summary\n\nMethods:",

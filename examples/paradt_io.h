@@ -14,9 +14,12 @@
 //   .vtu            a binary unstructured grid for ParaView
 //   .off .ply .obj  the surface: the facets of the hull if the result has three dimensions or more, its cells if it has
 //                   fewer. .off has all points (as nOFF from four dimensions on), .ply and .obj those of the surface.
-//   .npy            the array of cells
+//   .stl            the same surface as text, from two dimensions on
+//   .vtk            a binary legacy file, of the cells as in .vtu
+//   .npy .csv       the array of cells; .csv has a title, v0,v1,...
 //   .svg .png       a picture (paradt_picture.h)
-// A hull alone is written as .off, .ply or .obj, with all its facets for faces, or as .npy, the array of facets.
+// A hull alone is written as .off, .ply, .obj or .stl, with all its facets for faces, or as .npy or .csv, the array of
+// facets.
 //
 // Outputs of a Voronoi diagram, a row a point:
 //   .csv -          index, volume, centroid and number of faces, below a title. Unbounded cells have the volume inf;
@@ -555,6 +558,7 @@ static void paradt_io__begin_vtu(paradt_io__out *out, size_t points, size_t cell
                     points, cells);
 }
 
+static const unsigned char paradt_io__vtk_types[] = {1, 3, 5, 10}; // vertex, line, triangle, tetrahedron
 static const char *const paradt_io__vtu_bytes =
     "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
 static const char *const paradt_io__vtu_end = "\n</AppendedData>\n</VTKFile>\n";
@@ -585,7 +589,6 @@ static void paradt_io__put_vtu_points(paradt_io__writer *w) {
 }
 
 static void paradt_io__put_vtu(paradt_io__writer *w) {
-    static const unsigned char types[] = {1, 3, 5, 10}; // vertex, line, triangle, tetrahedron
     paradt_io__out *out = &w->out;
     size_t points = w->points->count, cells = w->t->cell_count, i;
     size_t corners = (size_t)(w->t->dim + 1);
@@ -605,7 +608,7 @@ static void paradt_io__put_vtu(paradt_io__writer *w) {
         paradt_io__put_bits(out, i * corners, 8);
     paradt_io__put_bits(out, sizes[4], 8);
     for (i = 0; i < cells; i++)
-        paradt_io__put_bits(out, types[corners - 1], 1);
+        paradt_io__put_bits(out, paradt_io__vtk_types[corners - 1], 1);
     paradt_io__put_text(out, paradt_io__vtu_end);
 }
 
@@ -759,16 +762,22 @@ static void paradt_io__put_obj(paradt_io__writer *w, const paradt_io__surface *s
     }
 }
 
-static int paradt_io__write_off(paradt_io__writer *w) {
+// Writes a file that has the surface.
+static int paradt_io__write_surface(paradt_io__writer *w,
+                                    void (*put)(paradt_io__writer *w, const paradt_io__surface *surface)) {
     paradt_io__surface surface;
     int good = paradt_io__surface_of(w, &surface);
     good = good && paradt_io__open(&w->out, w->stage, w->name, w->error);
     if (good) {
-        paradt_io__put_off(w, &surface);
+        put(w, &surface);
         good = paradt_io__close(&w->out, w->error);
     }
     free(surface.own);
     return good;
+}
+
+static int paradt_io__write_off(paradt_io__writer *w) {
+    return paradt_io__write_surface(w, paradt_io__put_off);
 }
 
 // Writes a file that has only the points of the surface. first: number of the first point in the file
@@ -812,6 +821,98 @@ static int paradt_io__write_vtu(paradt_io__writer *w) {
 
 static int paradt_io__write_npy(paradt_io__writer *w) {
     return paradt_io__write_plain(w, paradt_io__put_npy);
+}
+
+static void paradt_io__put_csv(paradt_io__writer *w) {
+    size_t corners = (size_t)(w->t->dim + 1), i, k;
+    for (k = 0; k < corners; k++) paradt_io__putf(&w->out, "%sv%zu", k ? "," : "", k);
+    paradt_io__put(&w->out, "\n", 1);
+    for (i = 0; i < w->t->cell_count; i++) {
+        paradt_io__putf(&w->out, "%lld", (long long)w->t->cells[i * corners]);
+        for (k = 1; k < corners; k++) paradt_io__put_int(&w->out, ',', (int64_t)w->t->cells[i * corners + k]);
+        paradt_io__put(&w->out, "\n", 1);
+    }
+}
+
+static int paradt_io__write_csv(paradt_io__writer *w) {
+    return paradt_io__write_plain(w, paradt_io__put_csv);
+}
+
+// Writes an integer of 4 bytes or a double as VTK's legacy files have them, the highest byte first.
+static void paradt_io__put_swapped(paradt_io__out *out, uint64_t bits, int size) {
+    unsigned char bytes[8];
+    int i;
+    for (i = 0; i < size; i++) bytes[i] = (unsigned char)(bits >> 8 * (size - 1 - i) & 0xff);
+    paradt_io__put(out, bytes, (size_t)size);
+}
+
+static void paradt_io__put_swapped_double(paradt_io__out *out, double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    paradt_io__put_swapped(out, bits, 8);
+}
+
+static void paradt_io__put_vtk(paradt_io__writer *w) {
+    paradt_io__out *out = &w->out;
+    size_t points = w->points->count, cells = w->t->cell_count, corners = (size_t)(w->t->dim + 1), i;
+    paradt_io__putf(out, "# vtk DataFile Version 3.0\nParaDT\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS %zu double\n",
+                    points);
+    for (i = 0; i < 3 * points; i++) paradt_io__put_swapped_double(out, paradt_io__coordinate(w, i / 3, (int)(i % 3)));
+    paradt_io__putf(out, "\nCELLS %zu %zu\n", cells, cells * (corners + 1));
+    for (i = 0; i < cells * corners; i++) {
+        if (i % corners == 0) paradt_io__put_swapped(out, corners, 4);
+        paradt_io__put_swapped(out, (uint64_t)w->t->cells[i], 4);
+    }
+    paradt_io__putf(out, "\nCELL_TYPES %zu\n", cells);
+    for (i = 0; i < cells; i++) paradt_io__put_swapped(out, paradt_io__vtk_types[corners - 1], 4);
+    if (w->points->weights) {
+        paradt_io__putf(out, "\nPOINT_DATA %zu\nSCALARS weight double 1\nLOOKUP_TABLE default\n", points);
+        for (i = 0; i < points; i++) paradt_io__put_swapped_double(out, w->points->weights[i]);
+    }
+    paradt_io__put_text(out, "\n");
+}
+
+static int paradt_io__write_vtk(paradt_io__writer *w) {
+    if (w->points->count > INT32_MAX || w->t->cell_count > INT32_MAX / 5)
+        return paradt_io__error(w->error, PARADT_IO_FAILED, "%.900s: too many cells for a legacy file; write a .vtu",
+                                w->name);
+    return paradt_io__write_plain(w, paradt_io__put_vtk);
+}
+
+// Writes the unit normal of a triangle. It is only for the eye: the corners have the geometry.
+static void paradt_io__put_normal(paradt_io__writer *w, const paradt_index *face) {
+    double a[3], b[3], n[3], length;
+    int k;
+    for (k = 0; k < 3; k++) {
+        double origin = paradt_io__coordinate(w, (size_t)face[0], k);
+        a[k] = paradt_io__coordinate(w, (size_t)face[1], k) - origin;
+        b[k] = paradt_io__coordinate(w, (size_t)face[2], k) - origin;
+    }
+    for (k = 0; k < 3; k++) n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    for (k = 0; k < 3; k++)
+        paradt_io__putf(&w->out, " %.9g", paradt_io__finite(length) && length > 0 ? n[k] / length : 0.0);
+}
+
+static void paradt_io__put_stl(paradt_io__writer *w, const paradt_io__surface *surface) {
+    size_t i, k;
+    paradt_io__put_text(&w->out, "solid ParaDT\n");
+    for (i = 0; surface->corners == 3 && i < surface->count; i++) {
+        const paradt_index *face = surface->faces + 3 * i;
+        paradt_io__put_text(&w->out, "facet normal");
+        paradt_io__put_normal(w, face);
+        paradt_io__put_text(&w->out, "\nouter loop\n");
+        for (k = 0; k < 3; k++) {
+            paradt_io__put_text(&w->out, "vertex");
+            paradt_io__put_point(w, (size_t)face[k]);
+        }
+        paradt_io__put_text(&w->out, "endloop\nendfacet\n");
+    }
+    paradt_io__put_text(&w->out, "endsolid ParaDT\n");
+}
+
+static int paradt_io__write_stl(paradt_io__writer *w) {
+    return paradt_io__write_surface(w, paradt_io__put_stl);
 }
 
 static int paradt_io__write_bytes(paradt_io__writer *w, const void *bytes, size_t size) {
@@ -1174,7 +1275,10 @@ static const paradt_io__output paradt_io__outputs[] = {
     {".off", paradt_io__write_off, PARADT_MAX_DIM, 1},
     {".ply", paradt_io__write_ply, 3, 1},
     {".obj", paradt_io__write_obj, 3, 1},
+    {".stl", paradt_io__write_stl, 3, 1},
+    {".vtk", paradt_io__write_vtk, 3, 0},
     {".npy", paradt_io__write_npy, PARADT_MAX_DIM, 1},
+    {".csv", paradt_io__write_csv, PARADT_MAX_DIM, 1},
     {".svg", paradt_io__write_svg, 3, 0},
     {".png", paradt_io__write_png, 3, 0},
     {NULL, NULL, 0, 0},
@@ -1199,7 +1303,7 @@ static const paradt_io__output paradt_io__voronoi_outputs[] = {
 #endif
 
 const char *paradt_io_outputs(void) {
-    return ".ele .vtu .off .ply .obj .npy .svg .png";
+    return ".ele .vtu .vtk .off .ply .obj .stl .npy .csv .svg .png";
 }
 
 // Finds the row of a table for a name; NULL: none. The name "-" of what has a .csv is the row of that.
@@ -1264,6 +1368,8 @@ static int paradt_io__check(const paradt_io__output *table, const char *outputs,
 }
 
 int paradt_io_check_output(const char *name, int dim, const char *input, paradt_io_error *error) {
+    if (strcmp(name, "-") == 0)
+        return paradt_io__error(error, PARADT_IO_BAD_NAME, "-: standard output takes no cells; name a file");
     return paradt_io__check(paradt_io__outputs, paradt_io_outputs(), name, dim, input, error);
 }
 
@@ -1271,7 +1377,8 @@ int paradt_io_check_hull_output(const char *name, int dim, const char *input, pa
     const paradt_io__output *output = paradt_io__output_of(paradt_io__outputs, name);
     if (output && !output->needs)
         return paradt_io__error(error, PARADT_IO_BAD_NAME,
-                                "%.700s: %s files hold no hull; .off, .ply, .obj and .npy do", name, output->extension);
+                                "%.700s: %s files hold no hull; .off, .ply, .obj, .stl, .npy and .csv do", name,
+                                output->extension);
     return paradt_io_check_output(name, dim, input, error);
 }
 
