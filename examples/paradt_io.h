@@ -1087,7 +1087,8 @@ static size_t paradt_io__cell_vertices(const paradt_voronoi *v, size_t cell, par
     for (i = first; i < last; i++)
         for (j = v->first_vertex[v->faces[i]]; j < v->first_vertex[v->faces[i] + 1]; j++)
             into[n++] = v->polygons[j];
-    qsort(into, n, sizeof *into, paradt_io__compare_indices);
+    if (n)
+        qsort(into, n, sizeof *into, paradt_io__compare_indices);
     for (i = 0; i < n; i++)
         if (i == 0 || into[i] != into[i - 1])
             into[(*count)++] = into[i];

@@ -881,7 +881,10 @@ static int paradt_io__see_commas(paradt_io__reader *r, paradt_io__table *t) {
     stop = stop ? stop : r->stop;
     if (!memchr(at, ',', (size_t)(stop - at))) return 1;
     kind = memchr(at, ';', (size_t)(stop - at)) ? 2 : t->commas;
-    if (!kind) kind = paradt_io__comma_between_blanks(at, stop);
+    if (!kind) {
+        kind = paradt_io__comma_between_blanks(at, stop);
+        t->by_blanks = kind == 2;
+    }
     if (!kind || (t->commas && kind != t->commas))
         return paradt_io__bad(r,
                               "decimal commas, or commas between numbers? Write decimal points, or semicolons between "
@@ -2115,7 +2118,7 @@ static int paradt_io__pdb_atom(paradt_io__reader *r, paradt_io__alternates *alte
 }
 
 static int paradt_io__is_atom(const paradt_io__reader *r) {
-    return paradt_io__begins(r->cur, r->stop, "ATOM  ") || paradt_io__begins(r->cur, r->stop, "HETATM");
+    return paradt_io__begins(r->cur, r->stop, "ATOM ") || paradt_io__begins(r->cur, r->stop, "HETATM");
 }
 
 // Does the line end the first model?
@@ -3220,12 +3223,14 @@ static int paradt_io__read_vtu(paradt_io__reader *r) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>decoding: gzip and UTF-16, and what is refused with a reason
 
+#ifdef PARADT_ZLIB
 // Makes `capacity` bytes and a NUL of the text. Returns 0 if there is no memory.
 static int paradt_io__resize(char **text, size_t capacity) {
     char *larger = capacity < SIZE_MAX ? (char *)realloc(*text, capacity + 1) : NULL;
     if (larger) *text = larger;
     return larger != NULL;
 }
+#endif
 
 static int paradt_io__is_gzip(const char *text, size_t size) {
     return size > 2 && memcmp(text, "\x1f\x8b", 2) == 0;
