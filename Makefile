@@ -78,7 +78,7 @@ SANITIZED    := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/definition.c,$(C_
 RACES        := tests/methods_agree.c tests/lifted_hull.c
 # `make check` runs these, and the shell tests in part where they know QUICK.
 QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/lifted_hull.c tests/optimality.c tests/resources.c,$(C_TESTS))
-QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
+QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/readers.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
 QUICK_ASAN   := $(filter tests/check.c tests/input.c,$(C_TESTS))
 # Tests of the library's internals contain the implementation. The others share one object of it, built with the same flags.
 OPAQUE       := $(if $(C_TESTS),$(shell grep -L '^ *# *define *PARADT_IMPLEMENTATION' $(C_TESTS)))

@@ -237,6 +237,64 @@ no_weights_in_stl|3|no weights|--weights|a.stl|solid a\nendsolid a\n
 utf16_cut_off|3|ends within a character||a.txt|\377\3761\000 
 TABLE
 
+# --- the tool: options, notes, and what it writes ---------------------------------------------------------------------------
+
+tool=${PARADT_TOOL:-$root/build/paradt}
+with() { # arguments of the tool
+    "$tool" "$@" >out 2>err
+    status=$?
+}
+if [ -x "$tool" ]; then
+    with --quiet -o t.ele inputs/altloc.pdb
+    [ $status -eq 0 ] && [ "$(sed -n 1p t.node)" = '7 3 0 0' ] && grep -q '^paradt: inputs/altloc.pdb: 2 alternate locations' err
+    report $? the_tool_tells_what_it_left_out
+    with --quiet --radii --columns 2-5 -o t.ele inputs/voropp.txt
+    [ $status -eq 0 ] && [ "$(sed -n '1p;5p' t.node)" = "$(printf '4 3 1 0\n 3 0.5 0.5 1.5 0.0625')" ]
+    report $? the_tool_takes_columns_and_radii
+    "$tool" --quiet --format obj -o t.ele - <inputs/m.obj >out 2>err
+    status=$?
+    [ $status -eq 0 ] && [ "$(sed -n 1p t.node)" = '5 3 0 0' ]
+    report $? the_tool_takes_any_format_from_standard_input
+    with --columns 0 inputs/pts.dat
+    [ $status -eq 2 ] && grep -q 'numbered from 1' err
+    report $? the_tool_checks_columns_at_once
+    with --format doc inputs/pts.dat
+    [ $status -eq 2 ] && grep -q 'no such format' err
+    report $? the_tool_checks_formats_at_once
+    with --radii gen:uniform:10:1
+    [ $status -eq 2 ] && grep -q 'no radii' err
+    report $? generated_points_have_no_radii
+    with --quiet --check -o t.stl -o t.vtk -o t.csv -o t.ele -o t.vtu gen:uniform:200:1
+    tail -n +2 t.ele | cut -d' ' -f3- | tr ' ' , >due
+    [ $status -eq 0 ] && [ "$(sed -n 1p t.csv)" = v0,v1,v2,v3 ] && tail -n +2 t.csv | cmp -s - due
+    report $? cells_are_written_as_csv
+    for file in t.vtk t.vtu t.stl; do
+        ./read $file | tr ';' '\n' | sed '/^$/d' | sort >$file.points
+    done
+    comm -23 t.stl.points t.vtk.points >strange
+    cmp -s t.vtk.points t.vtu.points && [ "$(wc -l <t.vtk.points)" -eq 200 ] && [ -s t.stl.points ] && [ ! -s strange ]
+    report $? what_is_written_is_read_back_to_the_bit
+    with --quiet --weights -o w.vtu -o w.vtk gen:uniform:50:1
+    ./read --weights w.vtu | tr ';' '\n' | awk 'NF && NF != 4 { bad = 1 } END { exit bad }'
+    report $? weights_are_read_back
+    with --quiet --dim 4 -o t.stl gen:uniform:50:1
+    [ $status -eq 2 ] && grep -q '.stl files hold at most 3 dimensions' err
+    report $? a_surface_in_four_dimensions_is_refused
+    for candidate in python3 /usr/bin/python3; do
+        $candidate -c 'import meshio' >/dev/null 2>&1 || continue
+        $candidate -c 'import meshio
+cells = sum(len(c.data) for c in meshio.read("t.vtk").cells)
+same = cells == sum(1 for line in open("t.csv")) - 1
+with_weights = "weight" in meshio.read("w.vtk").point_data
+closed = 2 * len(meshio.read("t.stl").points) - 4 == sum(len(c.data) for c in meshio.read("t.stl").cells)
+assert same and with_weights and closed' >out 2>err
+        report $? meshio_reads_what_is_written
+        break
+    done
+else
+    skip the_tool "build/paradt is not built"
+fi
+
 # --- the programs that write such files, and read them: meshio, VTK, gemmi and NumPy ----------------------------------------
 
 python=
