@@ -316,6 +316,11 @@ static size_t paradt_io__token(paradt_io__reader *r, const char **token) {
     return (size_t)(r->cur - *token);
 }
 
+static int paradt_io__begins(const char *text, const char *end, const char *word) {
+    size_t n = strlen(word);
+    return (size_t)(end - text) >= n && memcmp(text, word, n) == 0;
+}
+
 static int paradt_io__is(const char *token, size_t length, const char *word) {
     return strlen(word) == length && memcmp(token, word, length) == 0;
 }
@@ -444,20 +449,22 @@ static int paradt_io__ends_number(const paradt_io__reader *r, char c) {
     return paradt_io__delimits(c) && !(c == ',' && r->decimal_comma);
 }
 
-// Converts long and extreme decimals, hexadecimal numbers, "nan" and "inf". Returns the end of the number.
+// Converts long and extreme decimals, hexadecimal numbers, "nan" and "inf", and exponents as Fortran writes
+// them, 1.5D3. Returns the end of the number.
 static const char *paradt_io__convert(const paradt_io__reader *r, double *value) {
     char copy[1200], *end;
     const char *begin = r->cur, *at = begin;
-    size_t n;
+    size_t n, i;
     if (!r->decimal_comma) {
         *value = strtod(begin, &end);
-        return end;
+        if ((*end != 'd' && *end != 'D') || end == begin) return end;
     }
     while (at < r->stop && !paradt_io__ends_number(r, *at)) at++;
     n = (size_t)(at - begin);
-    if (n >= sizeof copy || memchr(begin, '.', n)) // a point and a comma: one of them groups thousands
-        return begin;
-    for (at = begin; at < begin + n; at++) copy[at - begin] = (char)(*at == ',' ? '.' : *at);
+    // A point and a comma: one of them groups thousands.
+    if (n >= sizeof copy || (r->decimal_comma && memchr(begin, '.', n))) return begin;
+    for (i = 0; i < n; i++)
+        copy[i] = (char)(begin[i] == ',' ? '.' : begin[i] == 'd' || begin[i] == 'D' ? 'e' : begin[i]);
     copy[n] = '\0';
     *value = strtod(copy, &end);
     return begin + (end - copy);
@@ -803,6 +810,7 @@ static int paradt_io__titled_weight(paradt_io__reader *r, paradt_io__titles titl
     static const char *const words[] = {"weight", "w", "radius", "r"};
     int i, total, found = -1;
     for (i = 0; i < 4 && found < 0; i++) found = paradt_io__find_title(titles, words[i], strlen(words[i]), &total);
+    if (i == 4 && paradt_io__find_title(titles, "g", 1, &total) >= 0) return -1; // r is red
     if (found >= 0 && i > 2) r->radii = 1;
     return found;
 }
@@ -850,11 +858,20 @@ typedef struct paradt_io__table {
     int by_blanks;   // 1: decimal commas were found between blanks
     int counting;    // 1: the first column, one of more than needed, has counted the rows
     double counted;  // what it has counted to
+    double head[2];  // the first row, if that may be the header of a .node file; its indices follow
+    int headed;      // 1: they have done so far
     int announced;   // 1: a number of points came first
     uint64_t points; // that number
     int words;       // lines before the first point that are not comments
     size_t mixed;    // the last of those with words and numbers; 0: none
 } paradt_io__table;
+
+// Appends to the error. Returns 0.
+static int paradt_io__hint(paradt_io__reader *r, const char *hint) {
+    size_t n = strlen(r->error->text);
+    snprintf(r->error->text + n, sizeof r->error->text - n, "%s", hint);
+    return 0;
+}
 
 // Goes to the next line that has more than blanks and a comment. Returns 0 at the end of the file.
 static int paradt_io__next_row(paradt_io__reader *r) {
@@ -899,6 +916,24 @@ static int paradt_io__see_commas(paradt_io__reader *r, paradt_io__table *t) {
     return 1;
 }
 
+// In a row with semicolons, is nothing but these between its numbers? Blanks may group thousands there.
+static int paradt_io__semicolons_alone(paradt_io__reader *r) {
+    const char *at = r->cur, *stop = (const char *)memchr(at, '#', (size_t)(r->stop - at));
+    int blank = 0, inside = 0; // inside: behind the first character of a number
+    stop = stop ? stop : r->stop;
+    if (!memchr(at, ';', (size_t)(stop - at))) return 1;
+    for (; at < stop; at++) {
+        if (*at == ';') inside = blank = 0;
+        else if (isspace((unsigned char)*at)) blank = inside;
+        else {
+            if (blank && *at != ',')
+                return paradt_io__bad(r, "';' is missing between two numbers, or a blank is within one");
+            inside = 1;
+        }
+    }
+    return 1;
+}
+
 // Goes past a field that need not be a number, up to what separates it from the next one.
 static void paradt_io__skip_field(paradt_io__reader *r, char separator) {
     if (r->cur < r->stop && (*r->cur == '"' || *r->cur == '\'')) {
@@ -918,6 +953,13 @@ static void paradt_io__skip_separator(paradt_io__reader *r, char separator) {
 static int paradt_io__begins_name(const paradt_io__reader *r) {
     unsigned char c = (unsigned char)*r->cur;
     return r->cur < r->stop && (isalpha(c) || c == '_' || c == '"' || c == '\'' || c >= 128);
+}
+
+// Does the line begin with a digit, or with signs and brackets before one? Then it is no title.
+static int paradt_io__begins_like_number(const paradt_io__reader *r) {
+    const char *at = r->cur;
+    while (at < r->stop && *at && strchr("([{<+-.", *at)) at++;
+    return at < r->stop && isdigit((unsigned char)*at);
 }
 
 // What fields does the current line have?
@@ -1048,8 +1090,9 @@ static int paradt_io__read_row(paradt_io__reader *r, paradt_io__table *t, double
         paradt_io__skip_field(r, separator);
         paradt_io__skip_separator(r, separator);
     }
+    if (!paradt_io__semicolons_alone(r)) return 0;
     n = paradt_io__fields(r, row, t->limit);
-    if (n < 0) return 0;
+    if (n < 0) return all ? paradt_io__hint(r, "; --columns lists the columns that are to be read") : 0;
     if (all && !r->dim) {
         if (!paradt_io__settle_dim(r, n - r->weighted)) return 0;
         t->limit = n;
@@ -1066,6 +1109,11 @@ static int paradt_io__push_row(paradt_io__reader *r, paradt_io__table *t, double
     double first = row[0];
     uint64_t number;
     if (t->counting && (!paradt_io__natural(first, &number) || (r->count && first != t->counted + 1))) t->counting = 0;
+    if (!r->count) {
+        t->head[0] = first;
+        t->head[1] = row[1];
+        t->headed = 1;
+    } else if (r->count == 1 ? first != 0 && first != 1 : first != t->counted + 1) t->headed = 0;
     t->counted = first;
     return paradt_io__push(r, row);
 }
@@ -1085,7 +1133,7 @@ static int paradt_io__see_heading(paradt_io__reader *r, paradt_io__table *t) {
         seen = paradt_io__see_fields(r);
         r->decimal_comma = 0;
     } else seen = paradt_io__see_fields(r);
-    if (!seen.numbers) {
+    if (!seen.numbers && !paradt_io__begins_like_number(r)) {
         t->words++;
         return 1;
     }
@@ -1117,6 +1165,8 @@ static int paradt_io__end_rows(paradt_io__reader *r, const paradt_io__table *t) 
     r->line = 0;
     if (t->announced && t->points != r->count)
         return paradt_io__bad(r, "%llu points announced, but there are %zu", (unsigned long long)t->points, r->count);
+    if (t->headed && all && r->count > 2 && t->head[0] == (double)(r->count - 1) && t->head[1] == columns - 1)
+        return paradt_io__bad(r, "the content is that of a .node file; rename it, or give --format node");
     if (t->counting && r->count > 2)
         return paradt_io__bad(
             r,
@@ -1242,9 +1292,15 @@ static int paradt_io__read_atoms(paradt_io__reader *r, const paradt_io__atom *at
     return 1;
 }
 
-// Notes that frames are left out, if anything follows.
-static void paradt_io__note_frames(paradt_io__reader *r) {
-    if (paradt_io__next_content(r)) snprintf(r->note, PARADT_IO__NOTE, "the first frame is read; more follow");
+// Notes that frames are left out, if another one follows.
+static int paradt_io__note_frames(paradt_io__reader *r) {
+    paradt_io__fields_seen seen;
+    if (!paradt_io__next_content(r)) return 1;
+    seen = paradt_io__see_fields(r);
+    if (!paradt_io__begins(r->cur, r->stop, "ITEM:") && (seen.fields != 1 || !seen.numbers))
+        return paradt_io__bad(r, "more than the announced atoms");
+    snprintf(r->note, PARADT_IO__NOTE, "the first frame is read; more follow");
+    return 1;
 }
 
 // Is the text a molecule: a count, a comment of any kind, and lines that begin with elements?
@@ -1324,18 +1380,11 @@ static int paradt_io__read_molecule(paradt_io__reader *r) {
     if (r->weighted && !atom.radius && atom.species < 0)
         return paradt_io__bad(r, "the atoms have neither species nor radius for their weight");
     r->radii = 1;
-    if (!paradt_io__read_atoms(r, &atom, count)) return 0;
-    paradt_io__note_frames(r);
-    return 1;
+    return paradt_io__read_atoms(r, &atom, count) && paradt_io__note_frames(r);
 }
 
 static int paradt_io__read_text(paradt_io__reader *r) {
     return !r->list && paradt_io__is_molecule(r) ? paradt_io__read_molecule(r) : paradt_io__read_table(r);
-}
-
-static int paradt_io__begins(const char *text, const char *end, const char *word) {
-    size_t n = strlen(word);
-    return (size_t)(end - text) >= n && memcmp(text, word, n) == 0;
 }
 
 static int paradt_io__is_dump(const char *text, const char *end) {
@@ -1426,8 +1475,7 @@ static int paradt_io__read_dump(paradt_io__reader *r) {
             if (!paradt_io__dump_columns(r, &atom, &scaled)) return 0;
             if (scaled && (!box.seen || box.tilted))
                 return paradt_io__bad(r, "scaled coordinates need a box that is not tilted; dump x y z");
-            if (!paradt_io__read_atoms(r, &atom, count)) return 0;
-            paradt_io__note_frames(r);
+            if (!paradt_io__read_atoms(r, &atom, count) || !paradt_io__note_frames(r)) return 0;
             r->line = 0;
             return !scaled || paradt_io__unscale(r, &box);
         }

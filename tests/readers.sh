@@ -145,6 +145,8 @@ utf16_high_byte_first||a.txt|\376\377\0001\000 \0002\000\r\000\n\0003\000 \0005|
 utf16_without_mark||a.csv|1\000,\0002\000\n\0003\000,\0005\000\n\000|1 2;3 5;
 any_name||a.points|1 2\n3 5\n|1 2;3 5;
 no_name||a|1 2\n3 5\n|1 2;3 5;
+exponents_of_fortran||a.txt|1.5D1 2d0\n3 5\n|15 2;3 5;
+red_is_no_radius|--weights|a.csv|x,y,r,g,b\n1,2,3,4,5\n|1 2 3;
 xy||a.xy|1 2 9\n3 5 9\n|1 2;3 5;
 molecule_with_radii|--weights|a.xyz|2\nwater, less an atom\nO 1 2 3\nH1 4 5 6\n|1 2 3 2.3104;4 5 6 1.4399999999999999;
 molecule_with_numbers|--weights|a.xyz|1\n\n8 1 2 3\n|1 2 3 2.3104;
@@ -203,6 +205,11 @@ changing_commas|3|2: decimal commas, or commas between||a.txt|1,2\n1,5;2\n
 thousands|3|'1.234' is not a number||a.csv|1.234,5;2\n
 a_short_row_with_decimal_commas|3|2: 1 number where 2 are needed||a.csv|0,5;2\n1,5\n
 a_count_that_is_wrong|3|3 points announced, but there are 2||a.txt|3\n1 2\n3 5\n
+a_node_file_called_text|3|that of a .node file; rename it||a.txt|3 2 0\n1 0 0\n2 1 0\n3 0 1\n
+a_first_row_in_brackets|3|1: '(0' is not a number||a.txt|(0 1)\n2 3\n
+blanks_within_numbers|3|1: ';' is missing between two numbers, or a blank is within one||a.csv|1 000,5;2\n
+more_atoms_than_announced|3|4: more than the announced atoms||a.xyz|1\n\nC 1 2 3\nC 4 5 6\n
+a_word_behind_numbers|3|'C' is not a number; --columns lists the columns||a.txt|1 2 C\n
 a_missing_name|3|2: the row has no name||a.txt|a 1 2\n3 4\n
 a_missing_separator|3|2: ',' is missing between columns 1 and 2||a.csv|x,y,z\n1 2.5,3,4,5\n
 words_and_numbers_before_named_rows|3|1: words and numbers before||a.txt|broken 1 x\nb 1 2\n
