@@ -3,7 +3,7 @@
 //     cc -O3 -o paradt examples/paradt.c -pthread -lm
 //     paradt gen:plummer:100000:1 -o cluster.vtu -o cluster.png --check
 //
-// `paradt --help` lists the inputs, outputs and options; paradt_io.h describes the file formats.
+// `paradt --help` lists the inputs, outputs and options; paradt_read.h and paradt_io.h describe the file formats.
 
 #define PARADT_IO_IMPLEMENTATION
 #include "paradt_io.h"

@@ -1019,9 +1019,9 @@ static int paradt_io__see_count(paradt_io__reader *r, paradt_io__table *t, const
 }
 
 // Finds the titles that choose columns for the row that is the current line, and chooses them.
-static int paradt_io__use_titles(paradt_io__reader *r, paradt_io__table *t, int fields) {
+static int paradt_io__use_titles(paradt_io__reader *r, paradt_io__table *t, const paradt_io__fields_seen *seen) {
     paradt_io__reader line = *r;
-    int total;
+    int total, fields = seen->fields;
     line.next = r->begin;
     line.line = 0;
     while (paradt_io__next_line(&line) && line.line < r->line && !t->columns.count) {
@@ -1044,13 +1044,15 @@ static int paradt_io__use_titles(paradt_io__reader *r, paradt_io__table *t, int 
         if (!(r->list ? paradt_io__choose_listed(r, &titles, shift, &t->columns)
                       : paradt_io__choose_titled(r, titles, fields, shift, t->fixed, &t->columns)))
             return 0;
+        if (shift && t->columns.count && !seen->name && *r->cur != '"')
+            snprintf(r->note, PARADT_IO__NOTE, "the first column has no title, and is left out");
     }
     return !r->list || t->columns.count || paradt_io__choose_listed(r, NULL, 0, &t->columns);
 }
 
 // Settles how rows are read, by the first one.
 static int paradt_io__begin_rows(paradt_io__reader *r, paradt_io__table *t, const paradt_io__fields_seen *seen) {
-    if (!paradt_io__use_titles(r, t, seen->fields)) return 0;
+    if (!paradt_io__use_titles(r, t, seen)) return 0;
     if (t->columns.count) return 1;
     t->named = seen->name && seen->numbers > 0;
     t->limit = t->fixed || t->by_format ? r->dim + r->weighted : PARADT_MAX_DIM + 2;

@@ -122,6 +122,7 @@ titles_leave_other_words_out||a.csv|x,y,what\n1,2,a b\n3,5,c\n|1 2;3 5;
 titles_without_axes_take_all||a.csv|a,b\n1,2\n3,5\n|1 2;3 5;
 titles_with_blanks_between_tabs||a.tsv|point id\tx\ty\n1\t1\t2\n2\t4\t5\n|1 2;4 5;
 row_names_of_r||a.txt|"x" "y" "z"\n"1" 1 2 3\n"2" 4 5 6\n"3" 7 8 9\n|1 2 3;4 5 6;7 8 9;
+a_column_before_the_titles||a.txt|x y\n1 1 2\n2 3 5\n|1 2;3 5; [the first column has no title, and is left out]
 row_names||a.csv|first one,1,2\n"second, too",3,5\n|1 2;3 5;
 row_names_in_a_table_of_words||a.txt|north 1 2\nsouth 3 5\n|1 2;3 5;
 an_empty_field_before_titles||a.csv|,x,y\nrow,1,2\nrow,3,5\n|1 2;3 5;
