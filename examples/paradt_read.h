@@ -1167,7 +1167,8 @@ static int paradt_io__end_rows(paradt_io__reader *r, const paradt_io__table *t) 
     r->line = 0;
     if (t->announced && t->points != r->count)
         return paradt_io__bad(r, "%llu points announced, but there are %zu", (unsigned long long)t->points, r->count);
-    if (t->headed && all && r->count > 2 && t->head[0] == (double)(r->count - 1) && t->head[1] == columns - 1)
+    if (t->headed && all && !t->columns.count && !t->named && r->count > 2 && t->head[0] == (double)(r->count - 1) &&
+        t->head[1] == columns - 1)
         return paradt_io__bad(r, "the content is that of a .node file; rename it, or give --format node");
     if (t->counting && r->count > 2)
         return paradt_io__bad(
@@ -1366,7 +1367,7 @@ static int paradt_io__properties(paradt_io__reader *r, paradt_io__atom *atom) {
 
 static int paradt_io__read_molecule(paradt_io__reader *r) {
     paradt_io__atom atom;
-    uint64_t count;
+    uint64_t count = 0;
     int first, k, radius;
     memset(&atom, 0, sizeof atom);
     atom.columns.of[0] = 1;
