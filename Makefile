@@ -18,6 +18,10 @@ PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
+# The tools read what gzip has compressed if zlib is there. ZLIB= builds them without it.
+ZLIB ?= $(if $(filter clean help,$(MAKECMDGOALS)),,$(shell echo 'int main(void) { return zlibVersion() == 0; }' | \
+    $(CC) -include zlib.h -x c -o /dev/null - -lz 2>/dev/null && echo -DPARADT_ZLIB -lz))
+
 .PHONY: all run examples check test bench thesis study theory lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
@@ -25,11 +29,11 @@ all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is 
 
 $(BUILD)/paradt: examples/paradt.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+	$(CC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< $(ZLIB) -pthread -lm
 
 $(BUILD)/paradt_mpi: examples/paradt_mpi.c
 	@mkdir -p $(@D)
-	$(MPICC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+	$(MPICC) $(CFLAGS) $(WARNINGS) $(ERRORS) $(DEPENDS) -I. -o $@ $< $(ZLIB) -pthread -lm
 
 RUN_INPUT   := gen:plummer:100000:1
 RUN_OUTPUTS := $(BUILD)/cluster.vtu $(BUILD)/cluster.png
@@ -74,7 +78,7 @@ SANITIZED    := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/definition.c,$(C_
 RACES        := tests/locator.c tests/methods_agree.c tests/lifted_hull.c tests/voronoi.c
 # `make check` runs these, and the shell tests in part where they know QUICK.
 QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/lifted_hull.c tests/optimality.c tests/resources.c,$(C_TESTS))
-QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
+QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh %/mpi.sh %/readers.sh %/structure.sh %/tool.sh,$(SHELL_TESTS))
 QUICK_ASAN   := $(filter tests/check.c tests/input.c,$(C_TESTS))
 # Tests of the library's internals contain the implementation. The others share one object of it, built with the same flags.
 OPAQUE       := $(if $(C_TESTS),$(shell grep -L '^ *# *define *PARADT_IMPLEMENTATION' $(C_TESTS)))

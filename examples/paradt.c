@@ -3,7 +3,7 @@
 //     cc -O3 -o paradt examples/paradt.c -pthread -lm
 //     paradt gen:plummer:100000:1 -o cluster.vtu -o cluster.png --check
 //
-// `paradt --help` lists the inputs, outputs and options; paradt_io.h describes the file formats.
+// `paradt --help` lists the inputs, outputs and options; paradt_read.h and paradt_io.h describe the file formats.
 
 #define PARADT_IO_IMPLEMENTATION
 #include "paradt_io.h"
@@ -156,6 +156,16 @@ static const char *take_nearest(settings *s, const char *value) {
     return take_queries(s, value, NEAREST);
 }
 
+static const char *take_columns(settings *s, const char *value) {
+    s->want.columns = value;
+    return paradt_io_check_columns(value);
+}
+
+static const char *take_format(settings *s, const char *value) {
+    s->want.format = value;
+    return paradt_io_check_format(value);
+}
+
 static const char *take_stats(settings *s, const char *value) {
     s->stats = value;
     return NULL;
@@ -172,6 +182,9 @@ static const struct {
     {"--method", "NAME", take_method, 0, "algorithm; every method gives the same result"},
     {"--dim", "D", take_dim, 0, "dimension, 2 to 8; the first D columns are the coordinates"},
     {"--weights", NULL, NULL, offsetof(settings, want.weights), "the next column is a weight: regular triangulation"},
+    {"--radii", NULL, NULL, offsetof(settings, want.radii), "like --weights, but it is a radius, which is squared"},
+    {"--columns", "LIST", take_columns, 0, "columns of text or .npy to read, then the weight's: 2-4, or titles: x,y,r"},
+    {"--format", "NAME", take_format, 0, "read INPUT as a file of this extension, whatever its name; for - too"},
     {"--regions", "K", take_regions, 0, "divide space into K regions (default: one a job, fewer for small sets)"},
     {"--jobs", "J", take_jobs, 0, "number of threads (default: one a processor)"},
     {"--partition", "HOW", take_partition, 0, "bisection (default: equal numbers of points) or uniform (equal boxes)"},
@@ -195,8 +208,8 @@ static void print_help(void) {
     int i;
     printf("paradt [options] INPUT\n\n"
            "Computes the Delaunay or regular triangulation of points in 2 to 8 dimensions, or their convex hull, exactly.\n\n"
-           "INPUT: a file by extension (%s), - (standard input, read as .txt),\n"
-           "       or gen:KIND:N:SEED (generated points)\n\n",
+           "INPUT: a file, by extension or content (%s; also .gz),\n"
+           "       - (standard input, by content or --format), or gen:KIND:N:SEED (generated points)\n\n",
            paradt_io_inputs());
     for (i = 0; i < OPTIONS; i++) {
         char left[40];
@@ -206,8 +219,8 @@ static void print_help(void) {
     }
     printf(
         "\nOutputs, by extension: %s\n"
-        "  .ele comes with .node and .neigh; .off, .ply and .obj hold the hull in 3D, the triangles in 2D\n"
-        "  with --hull: .off, .ply and .obj, and .npy, the array of facets\n"
+        "  .ele comes with .node and .neigh; .off, .ply, .obj and .stl hold the hull in 3D, the triangles in 2D\n"
+        "  with --hull: .off, .ply, .obj and .stl, and .npy and .csv, the array of facets\n"
         "  of --voronoi: .csv, .npy (a row a point: index, volume, centroid, number of faces), .vtu, .svg and .png;\n"
         "  of --locate and --nearest, whose Q is as INPUT: .csv, .npy (a row a query) and .vtu;\n"
         "  for these three - is a .csv on standard output, instead of the summary\n\nMethods:",
@@ -292,6 +305,8 @@ static int parse(settings *s, int count, char **arguments) {
     }
     if (!s->input && !s->help && !s->version)
         return wrong("no input", NULL, "name a file, - or gen:KIND:N:SEED");
+    if (s->want.radii)
+        s->want.weights = 1;
     if (s->hull && s->want.weights)
         return wrong("--hull", NULL, "a hull has no weights; --dim leaves the column of weights out");
     if (s->hull && s->method != PARADT_AUTO)
@@ -959,17 +974,26 @@ static int finish(const job *j) {
     return status;
 }
 
+// Reads an input, and prints what is to be known of it. Returns 1, or 0 after an error.
+static int read_input(paradt_io_points *points, const char *input, const paradt_io_want *want, paradt_io_error *error) {
+    if (!paradt_io_read(points, input, want, error))
+        return 0;
+    if (*points->note)
+        fprintf(stderr, "paradt: %s: %s\n", strcmp(input, "-") == 0 ? "standard input" : input, points->note);
+    return 1;
+}
+
 // Reads the points and the queries. Returns 1, or 0 after an error.
 static int read_all(job *j, paradt_io_error *error) {
     const settings *s = j->s;
-    paradt_io_want want = {0, 0};
+    paradt_io_want want = {0, 0, 0, NULL, NULL};
     int i;
-    if (!check_outputs(s, s->want.dim, error) || !paradt_io_read(&j->points, s->input, &s->want, error) ||
+    if (!check_outputs(s, s->want.dim, error) || !read_input(&j->points, s->input, &s->want, error) ||
         !check_outputs(s, j->points.dim, error))
         return 0;
     want.dim = j->points.dim;
     for (i = 0; i < QUERIES; i++)
-        if (s->queries[i] && !paradt_io_read(&j->queries[i], s->queries[i], &want, error))
+        if (s->queries[i] && !read_input(&j->queries[i], s->queries[i], &want, error))
             return 0;
     return 1;
 }

@@ -81,6 +81,16 @@ static const char *take_partition(settings *s, const char *value) {
                                                                              : "a partition is bisection or uniform";
 }
 
+static const char *take_columns(settings *s, const char *value) {
+    s->want.columns = value;
+    return paradt_io_check_columns(value);
+}
+
+static const char *take_format(settings *s, const char *value) {
+    s->want.format = value;
+    return paradt_io_check_format(value);
+}
+
 static const char *take_stats(settings *s, const char *value) {
     s->stats = value;
     return NULL;
@@ -97,6 +107,9 @@ static const struct {
     {"--method", "NAME", take_method, 0, "algorithm of each rank; every method gives the same result"},
     {"--dim", "D", take_dim, 0, "dimension, 2 to 8; the first D columns are the coordinates"},
     {"--weights", NULL, NULL, offsetof(settings, want.weights), "the next column is a weight: regular triangulation"},
+    {"--radii", NULL, NULL, offsetof(settings, want.radii), "like --weights, but it is a radius, which is squared"},
+    {"--columns", "LIST", take_columns, 0, "columns of text or .npy to read, then the weight's: 2-4, or titles: x,y,r"},
+    {"--format", "NAME", take_format, 0, "read INPUT as a file of this extension, whatever its name; for - too"},
     {"--partition", "HOW", take_partition, 0, "bisection (default: equal numbers of points) or uniform (equal boxes)"},
     {"--replicated", NULL, NULL, offsetof(settings, replicated), "give every rank all points; incode or dewall only"},
     {"--check", NULL, NULL, offsetof(settings, check), "certify the result on rank 0 in exact arithmetic"},
@@ -114,8 +127,8 @@ static void print_help(void) {
     int i;
     printf("mpiexec -n RANKS paradt_mpi [options] INPUT\n\n"
            "Computes the Delaunay or regular triangulation of points in 2 to 8 dimensions, exactly, on many ranks.\n\n"
-           "INPUT: a file by extension (%s), - (standard input, read as .txt),\n"
-           "       or gen:KIND:N:SEED (generated points; paradt --help lists the kinds)\n\n",
+           "INPUT: a file, by extension or content (%s; also .gz),\n"
+           "       - (standard input, by content or --format), or gen:KIND:N:SEED (paradt --help lists the kinds)\n\n",
            paradt_io_inputs());
     for (i = 0; i < OPTIONS; i++) {
         char left[40];
@@ -172,6 +185,7 @@ static int parse(settings *s, int count, char **arguments) {
         else s->input = arguments[i++];
     }
     if (!s->input && !s->help && !s->version) return wrong("no input", NULL, "name a file, - or gen:KIND:N:SEED");
+    if (s->want.radii) s->want.weights = 1;
     if (s->replicated && s->method == PARADT_BOWYER_WATSON)
         return wrong("--replicated", NULL, "the method has to be incode or dewall");
     return 1;
@@ -314,8 +328,8 @@ static int find_table(const settings *s, int64_t *table) {
         unsigned char bytes[2];
     } order = {1};
     struct stat about;
-    int found = 0;
-    if (rank == 0 && order.bytes[0] && (has_extension(s->input, ".npy") || has_extension(s->input, ".ply")) &&
+    int found = 0, plain = !s->want.columns && !s->want.format && !s->want.radii;
+    if (rank == 0 && plain && order.bytes[0] && (has_extension(s->input, ".npy") || has_extension(s->input, ".ply")) &&
         !strchr(s->input, ':') && stat(s->input, &about) == 0 && S_ISREG(about.st_mode)) {
         FILE *file = fopen(s->input, "rb");
         found = file && is_table(s, file, (int64_t)about.st_size, table);
@@ -429,6 +443,7 @@ static int read_whole(const settings *s, int on_all, part *p) {
                          "%.900s: --replicated reads the input on every rank, so it has to be a file", s->input);
         status = EXIT_USAGE;
     } else if (rank == 0 && !paradt_io_read(&points, s->input, &s->want, &error)) status = exit_status(error.status);
+    if (rank == 0 && !status && *points.note) fprintf(stderr, "paradt_mpi: %s: %s\n", s->input, points.note);
     status = agree_on(status, &error);
     if (!status) { // the other ranks read only what rank 0 could read
         if (on_all && rank > 0 && !paradt_io_read(&points, s->input, &s->want, &error))

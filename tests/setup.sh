@@ -38,6 +38,10 @@ int main() { return 0; }' -m32 ;;
     lld) command -v wasm-ld >/dev/null 2>&1 ;;
     libclang-rt-dev-wasm32) ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/*wasm32* >/dev/null 2>&1 ;;
     python3-vtk9) python3 -c 'import vtkmodules' >/dev/null 2>&1 || /usr/bin/python3 -c 'import vtkmodules' >/dev/null 2>&1 ;;
+    python3-meshio) python3 -c 'import meshio' >/dev/null 2>&1 || /usr/bin/python3 -c 'import meshio' >/dev/null 2>&1 ;;
+    python3-gemmi) python3 -c 'import gemmi' >/dev/null 2>&1 || /usr/bin/python3 -c 'import gemmi' >/dev/null 2>&1 ;;
+    zlib1g-dev) compiles "$CC" c '#include <zlib.h>
+int main(void) { return zlibVersion() == 0; }' -lz ;;
     voro++-dev) compiles "$CXX" cc '#include <voro++/voro++.hh>
 int main() { return 0; }' -lvoro++ ;;
     nodejs) command -v node >/dev/null 2>&1 ;;
@@ -50,7 +54,8 @@ int main() { return 0; }' -lvoro++ ;;
 
 wanted="libcmocka-dev libgmp-dev g++ libcgal-dev libeigen3-dev gcc gcc-multilib g++-multilib tcc clang python3 mpich libmpich-dev
     qemu-user binutils-aarch64-linux-gnu libc6-dev-arm64-cross libgcc-12-dev-arm64-cross
-    lld wasi-libc libclang-rt-dev-wasm32 nodejs python3-vtk9 voro++-dev"
+    lld wasi-libc libclang-rt-dev-wasm32 nodejs python3-vtk9 python3-meshio python3-gemmi zlib1g-dev
+    voro++-dev"
 missing() {
     for package in $wanted; do
         has "$package" || printf '%s ' "$package"

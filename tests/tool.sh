@@ -119,7 +119,7 @@ nine_columns|3|1: |nine.txt|1 2 3 4 5 6 7 8 9\n
 number_with_tail|3|1: '1.5abc' is not a number|tail.xyz|1.5abc 2 3\n
 two_points_in_a_number|3|1: '1.2.3' is not a number|points.xyz|1.2.3 2 3\n
 missing_field|3|1: a number is missing|field.csv|1,,3\n
-second_title|3|2: 'x' is not a number|title.csv|x,y\nx,y\n0,0\n
+late_title|3|3: 'x' is not a number|title.csv|x,y\n0,0\nx,y\n
 nan|3|2: coordinate 2 is not finite|nan.xyz|0 0 0\n0 nan 0\n
 inf|3|1: coordinate 1 is not finite|inf.xyz|-inf 0 0\n
 overflow|3|1: coordinate 3 is not finite|over.xyz|0 0 1e999\n
@@ -155,13 +155,13 @@ ply_binary_nan|3| point 0: coordinate 1 is not finite|l.ply|ply\nformat binary_l
 npy_magic|3| not an NPY file|a.npy|NUMPY and more\n
 npy_version|3| an unknown version|b.npy|\223NUMPY\011\000\005\000abcde
 npy_header|3| the file ends within its header|c.npy|\223NUMPY\001\000\377\377{}
-npy_integers|3| the array's type is not float32 or float64|d.npy|\223NUMPY\001\000\102\000{'descr': '<i8', 'fortran_order': False, 'shape': (1, 3), }       \n123456781234567812345678
+npy_complex|3| the array's type is no integer or float|d.npy|\223NUMPY\001\000\102\000{'descr': '<c8', 'fortran_order': False, 'shape': (1, 3), }       \n123456781234567812345678
 npy_short|3| the file ends within its data|e.npy|\223NUMPY\001\000\102\000{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }       \n123456781234567812345678
 npy_huge|3| the file ends within its data|f.npy|\223NUMPY\001\000\102\000{'descr': '<f8', 'fortran_order': False, 'shape': (9999999999,3)} \n123456781234567812345678
 npy_flat|3| the array is not two-dimensional|g.npy|\223NUMPY\001\000\102\000{'descr': '<f8', 'fortran_order': False, 'shape': (3,), }         \n123456781234567812345678
 pdb_short|3|1: the line ends before the coordinates do|a.pdb|ATOM      1  CA  ALA A   1      11.104\n
 pdb_words|3|1: '   abc  ' is not a coordinate|b.pdb|ATOM      1  CA  ALA A   1      11.104   abc     4.000  1.00\n
-unknown_extension|3| the name does not end in one of|points.doc|0 0 0\n
+unknown_extension|3| neither text nor of a known format|points.doc|\001\002\n
 TABLE
 
 mkdir folder.xyz
