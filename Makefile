@@ -15,7 +15,7 @@ DEPENDS = -MMD -MP -MT $@ -MF $@.d
 # Sub-makes share the jobs of an outer -j. Without one they use all processors.
 PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
-MPICC ?= $(shell command -v mpicc 2>/dev/null)
+MPICC ?= $(shell command -v mpicc.mpich || command -v mpicc)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
 # The tools read what gzip has compressed if zlib is there. ZLIB= builds them without it.

@@ -47,7 +47,8 @@ int main() { return 0; }' -lvoro++ ;;
     nodejs) command -v node >/dev/null 2>&1 ;;
     libgcc-12-dev-arm64-cross) test -d /usr/lib/gcc-cross/aarch64-linux-gnu ;;
     mpich) command -v mpiexec >/dev/null 2>&1 ;;
-    libmpich-dev) command -v mpicc >/dev/null 2>&1 && command -v mpicxx >/dev/null 2>&1 ;;
+    libmpich-dev) compiles "$(command -v mpicc.mpich || echo mpicc)" c '#include <mpi.h>
+int main(void) { return MPI_SUCCESS; }' ;;
     *) command -v "$1" >/dev/null 2>&1 ;;
     esac
 }
