@@ -23035,7 +23035,7 @@ static paradt_status paradt__fill_with_ghosts(paradt__filling *f, const paradt__
     if (status) return status;
     for (at = 0; at < count; at++) {
         paradt_index place = build->update.killed[at] / corners, *pair = paradt__filling_pair(f, place);
-        int finite = paradt__is_finite_cell(paradt__mesh_row(mesh, place), corners);
+        int finite = paradt__is_finite_cell(paradt__mesh_row(mesh, place), (int)corners);
         pair[0] = place;
         pair[1] = finite ? (paradt_index)f->count++ * corners : ~mesh->links[build->rim[at]];
     }
@@ -23676,7 +23676,7 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
     }
     for (i = 0; i < build->update.killed_count; i++) {
         paradt_index place = paradt__mesh_cell(mesh, build->update.killed[i]), *to = d->killed.items + d->killed.count;
-        int finite = paradt__is_finite_cell(mesh->vertices + place * corners, corners);
+        int finite = paradt__is_finite_cell(mesh->vertices + place * corners, mesh->corners);
         d->now.cells -= (size_t)finite;
         if (paradt__living_is_fresh(d, place)) {
             paradt__mesh_unmark(mesh, (size_t)place, PARADT__FRESH);
@@ -23738,7 +23738,7 @@ static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
         const paradt_index *row = mesh->vertices + place * corners;
         if (d->steps) mesh->marks[place] |= PARADT__FRESH;
         d->made.items[d->made.count++] = place;
-        d->now.cells += (size_t)paradt__is_finite_cell(row, corners);
+        d->now.cells += (size_t)paradt__is_finite_cell(row, mesh->corners);
         for (i = 0; i < corners; i++) {
             if (row[i] >= 0) cell[row[i]] = place;
         }
@@ -24133,10 +24133,10 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
     }
 }
 
-// Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; near: a cell nearby,
+// Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; from: a cell nearby,
 // or negative
 static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record, paradt_index hint,
-                                           paradt_index near) {
+                                           paradt_index from) {
     paradt__scene *scene = &d->build.scene;
     paradt_index cell, position;
     paradt_status status;
@@ -24148,7 +24148,7 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     }
     paradt__living_measure(d, record);
     if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
-    cell = near < 0 ? paradt__living_start(d, record, hint) : near;
+    cell = from < 0 ? paradt__living_start(d, record, hint) : from;
     if (PARADT_MAX_DIM >= 3 && d->build.kept) cell = paradt__living_reach(d, cell, record, &fresh);
     else cell = paradt__walk(scene, cell, record);
     paradt__living_start_at(d, cell);
@@ -24215,7 +24215,7 @@ static int paradt__living_stays(paradt_dynamic *d, const double *record) {
     size_t at;
     for (at = 0; at < build->rim_count; at++) {
         paradt_index base = build->update.killed[at];
-        if (!paradt__is_finite_cell(mesh->vertices + base, corners)) return 0;
+        if (!paradt__is_finite_cell(mesh->vertices + base, mesh->corners)) return 0;
     }
     for (at = 0; at < build->rim_count; at++) {
         paradt_index base = build->update.killed[at];
