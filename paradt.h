@@ -1493,7 +1493,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     repair                       510   the entry of repairing
 //     measures of a cell           666   spheres and volumes, rounded once
 //     location                      83   the face that holds a place, asked from any thread
-//     starting cells               253   a vertex near any place
+//     starting cells               259   a vertex near any place
 //     distances                    161   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
@@ -1503,7 +1503,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     holes of vertices            381   the hole where a vertex goes, and wrapping it
 //     filling holes                391   what fills it
 //     state of a living set        698   columns, journal, hidden and coincident points
-//     changes of a living set      672   one point comes, goes or moves; the set anew
+//     changes of a living set      679   one point comes, goes or moves; the set anew
 //     living set                   634   the entry
 //   check
 //     check                        501   the certificate
@@ -20798,7 +20798,8 @@ PARADT__OPTIONAL paradt_index paradt__place_in(paradt__view *view, paradt_index 
 // A bucket may be told of another vertex at any time. It is a hint and no more: whoever removes a vertex has the bucket
 // name another. After many more points have come the grids are to be made anew. Places outside of the box have the
 // buckets at its border.
-// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_put, paradt__starts_replace, paradt__starts_free.
+// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_put, paradt__starts_replace,
+// paradt__starts_fetch, paradt__starts_free.
 
 enum {
     PARADT__START_POINTS = 2,  // a bucket, on average
@@ -20875,6 +20876,11 @@ PARADT__INLINE paradt_index paradt__starts_at(const paradt__starts *starts, cons
 // Names a vertex at x from now on.
 PARADT__OPTIONAL void paradt__starts_put(paradt__starts *starts, const double *x, paradt_index vertex) {
     if (starts->grid_count) starts->buckets[paradt__starts_bucket_of(starts, x)] = vertex;
+}
+
+// Fetches what the bucket of a place names ahead of its use.
+PARADT__INLINE void paradt__starts_fetch(const paradt__starts *starts, const double *x) {
+    if (starts->grid_count) PARADT__PREFETCH(starts->buckets + paradt__starts_bucket_of(starts, x));
 }
 
 // Names another instead of a vertex at x that goes, if it is named there.
@@ -24003,7 +24009,11 @@ static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index pos
     paradt__filling *f = &d->filling;
     size_t finite = 0, at;
     int flat = 0;
-    paradt_status status = paradt__filling_star(f, build, position, paradt__living_get(d, PARADT__CELL, position));
+    paradt_index cell = paradt__living_get(d, PARADT__CELL, position);
+    paradt_status status;
+    paradt__fetch_row(mesh->vertices, mesh->links, (size_t)cell, (size_t)mesh->corners);
+    paradt__starts_fetch(&d->starts, paradt__living_record(d, position));
+    status = paradt__filling_star(f, build, position, cell);
     for (at = 0; at < build->update.killed_count && !status; at++) {
         paradt_index place = paradt__mesh_cell(mesh, build->update.killed[at]), hidden;
         finite += (size_t)paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners);
@@ -24170,11 +24180,14 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
 
 // Takes a point away; its id remains.
 static paradt_status paradt__living_remove(paradt_dynamic *d, paradt_index id) {
-    paradt_index position = paradt__living_get(d, PARADT__POSITION, id);
-    paradt_index root = paradt__living_get(d, PARADT__OWNER, position);
-    int alone =
-        !d->column[PARADT__CHILD] || (root == id && paradt__living_get(d, PARADT__CHILD, id) == PARADT__NOWHERE);
+    paradt_index position = paradt__living_get(d, PARADT__POSITION, id), root;
     paradt_status status;
+    int alone = !d->column[PARADT__CHILD];
+    PARADT__FETCH(d->column[PARADT__CELL], position);
+    PARADT__FETCH(d->column[PARADT__OWNER], position);
+    PARADT__FETCH(d->records, (size_t)position * d->build.scene.width);
+    root = alone ? id : paradt__living_get(d, PARADT__OWNER, position);
+    if (!alone) alone = root == id && paradt__living_get(d, PARADT__CHILD, id) == PARADT__NOWHERE;
     if (alone) {
         if (d->dim <= 0) return PARADT__GAVE_UP;
         status = paradt__living_withdraw(d, position);
