@@ -1606,7 +1606,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     repair                       523   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
-//     starting cells               280   a vertex near any place
+//     starting cells               285   a vertex near any place
 //     distances                    161   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
@@ -1616,7 +1616,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     holes of vertices            381   the hole where a vertex goes, and wrapping it
 //     filling holes                391   what fills it
 //     state of a living set        698   columns, journal, hidden and coincident points
-//     changes of a living set      672   one point comes, goes or moves; the set anew
+//     changes of a living set      679   one point comes, goes or moves; the set anew
 //     living set                   634   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
@@ -21248,7 +21248,7 @@ PARADT__OPTIONAL paradt_index paradt__place_in(paradt__view *view, paradt_index 
 // name another. After many more points have come the grids are to be made anew. Places outside of the box have the
 // buckets at its border.
 // Doors: paradt__starts_make, paradt__starts_at, paradt__starts_centre, paradt__starts_put, paradt__starts_replace,
-// paradt__starts_free.
+// paradt__starts_fetch, paradt__starts_free.
 
 enum {
     PARADT__START_POINTS = 2,  // a bucket, on average
@@ -21326,6 +21326,11 @@ PARADT__INLINE paradt_index paradt__starts_at(const paradt__starts *starts, cons
 // Names a vertex at x from now on.
 PARADT__OPTIONAL void paradt__starts_put(paradt__starts *starts, const double *x, paradt_index vertex) {
     if (starts->grid_count) starts->buckets[paradt__starts_bucket_of(starts, x)] = vertex;
+}
+
+// Fetches what the bucket of a place names ahead of its use.
+PARADT__INLINE void paradt__starts_fetch(const paradt__starts *starts, const double *x) {
+    if (starts->grid_count) PARADT__PREFETCH(starts->buckets + paradt__starts_bucket_of(starts, x));
 }
 
 // Names another instead of a vertex at x that goes, if it is named there.
@@ -23634,7 +23639,7 @@ static paradt_status paradt__fill_with_ghosts(paradt__filling *f, const paradt__
     if (status) return status;
     for (at = 0; at < count; at++) {
         paradt_index place = build->update.killed[at] / corners, *pair = paradt__filling_pair(f, place);
-        int finite = paradt__is_finite_cell(paradt__mesh_row(mesh, place), corners);
+        int finite = paradt__is_finite_cell(paradt__mesh_row(mesh, place), (int)corners);
         pair[0] = place;
         pair[1] = finite ? (paradt_index)f->count++ * corners : ~mesh->links[build->rim[at]];
     }
@@ -24275,7 +24280,7 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
     }
     for (i = 0; i < build->update.killed_count; i++) {
         paradt_index place = paradt__mesh_cell(mesh, build->update.killed[i]), *to = d->killed.items + d->killed.count;
-        int finite = paradt__is_finite_cell(mesh->vertices + place * corners, corners);
+        int finite = paradt__is_finite_cell(mesh->vertices + place * corners, mesh->corners);
         d->now.cells -= (size_t)finite;
         if (paradt__living_is_fresh(d, place)) {
             paradt__mesh_unmark(mesh, (size_t)place, PARADT__FRESH);
@@ -24337,7 +24342,7 @@ static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
         const paradt_index *row = mesh->vertices + place * corners;
         if (d->steps) mesh->marks[place] |= PARADT__FRESH;
         d->made.items[d->made.count++] = place;
-        d->now.cells += (size_t)paradt__is_finite_cell(row, corners);
+        d->now.cells += (size_t)paradt__is_finite_cell(row, mesh->corners);
         for (i = 0; i < corners; i++) {
             if (row[i] >= 0) cell[row[i]] = place;
         }
@@ -24602,7 +24607,11 @@ static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index pos
     paradt__filling *f = &d->filling;
     size_t finite = 0, at;
     int flat = 0;
-    paradt_status status = paradt__filling_star(f, build, position, paradt__living_get(d, PARADT__CELL, position));
+    paradt_index cell = paradt__living_get(d, PARADT__CELL, position);
+    paradt_status status;
+    paradt__fetch_row(mesh->vertices, mesh->links, (size_t)cell, (size_t)mesh->corners);
+    paradt__starts_fetch(&d->starts, paradt__living_record(d, position));
+    status = paradt__filling_star(f, build, position, cell);
     for (at = 0; at < build->update.killed_count && !status; at++) {
         paradt_index place = paradt__mesh_cell(mesh, build->update.killed[at]), hidden;
         finite += (size_t)paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners);
@@ -24732,10 +24741,10 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
     }
 }
 
-// Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; near: a cell nearby,
+// Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; from: a cell nearby,
 // or negative
 static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record, paradt_index hint,
-                                           paradt_index near) {
+                                           paradt_index from) {
     paradt__scene *scene = &d->build.scene;
     paradt_index cell, position;
     paradt_status status;
@@ -24747,7 +24756,7 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     }
     paradt__living_measure(d, record);
     if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
-    cell = near < 0 ? paradt__living_start(d, record, hint) : near;
+    cell = from < 0 ? paradt__living_start(d, record, hint) : from;
     if (PARADT_MAX_DIM >= 3 && d->build.kept) cell = paradt__living_reach(d, cell, record, &fresh);
     else cell = paradt__walk(scene, cell, record);
     paradt__living_start_at(d, cell);
@@ -24769,11 +24778,14 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
 
 // Takes a point away; its id remains.
 static paradt_status paradt__living_remove(paradt_dynamic *d, paradt_index id) {
-    paradt_index position = paradt__living_get(d, PARADT__POSITION, id);
-    paradt_index root = paradt__living_get(d, PARADT__OWNER, position);
-    int alone =
-        !d->column[PARADT__CHILD] || (root == id && paradt__living_get(d, PARADT__CHILD, id) == PARADT__NOWHERE);
+    paradt_index position = paradt__living_get(d, PARADT__POSITION, id), root;
     paradt_status status;
+    int alone = !d->column[PARADT__CHILD];
+    PARADT__FETCH(d->column[PARADT__CELL], position);
+    PARADT__FETCH(d->column[PARADT__OWNER], position);
+    PARADT__FETCH(d->records, (size_t)position * d->build.scene.width);
+    root = alone ? id : paradt__living_get(d, PARADT__OWNER, position);
+    if (!alone) alone = root == id && paradt__living_get(d, PARADT__CHILD, id) == PARADT__NOWHERE;
     if (alone) {
         if (d->dim <= 0) return PARADT__GAVE_UP;
         status = paradt__living_withdraw(d, position);
@@ -24814,7 +24826,7 @@ static int paradt__living_stays(paradt_dynamic *d, const double *record) {
     size_t at;
     for (at = 0; at < build->rim_count; at++) {
         paradt_index base = build->update.killed[at];
-        if (!paradt__is_finite_cell(mesh->vertices + base, corners)) return 0;
+        if (!paradt__is_finite_cell(mesh->vertices + base, mesh->corners)) return 0;
     }
     for (at = 0; at < build->rim_count; at++) {
         paradt_index base = build->update.killed[at];
