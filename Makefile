@@ -18,7 +18,7 @@ PARALLEL = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 MPICC ?= $(shell command -v mpicc 2>/dev/null)
 TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),$(BUILD)/paradt_mpi)
 
-.PHONY: all run check test bench thesis study theory lib clean help test-programs test-list
+.PHONY: all run check test bench thesis study study-threads theory lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -185,6 +185,13 @@ $(BUILD)/bench/study: tests/bench/study.c
 
 study: $(BUILD)/bench/study ## Measure the work of up to 256 ranks, one after another (about 15 minutes; needs no MPI)
 	sh tests/bench/study.sh
+
+$(BUILD)/bench/study_threads: tests/bench/study_threads.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+
+study-threads: $(BUILD)/bench/study_threads ## Measure the tasks of up to 64 threads, one after another (about 15 minutes)
+	sh tests/bench/study_threads.sh
 
 $(BUILD)/bench/theory: tests/bench/theory.c
 	@mkdir -p $(@D)
