@@ -5768,11 +5768,19 @@ PARADT__OPTIONAL void paradt__mesh_compact(paradt__mesh *mesh, size_t dropped, c
     mesh->spare_count = 0;
 }
 
+// Where cells are emitted to in another order than they have, links beyond the first of them jump.
+typedef struct paradt__jump {
+    paradt_index from, by; // a link, in the form that is wanted: from this one on there is more to be added to it
+} paradt__jump;
+
 // Where the rows of emitted cells go, and in what form
 typedef struct paradt__rows {
     paradt_index *vertices, *links;
-    paradt_index offset; // what is added to a link for the cells before these
-    int divisor, shift;  // a handle divided by that, or with four corners shifted, is the link that is wanted
+    size_t move;               // what is added to a cell's place for its row, and may wrap
+    paradt_index offset;       // what is added to a link for the cells before these
+    int divisor, shift;        // a handle divided by that, or with four corners shifted, is the link that is wanted
+    const paradt__jump *jumps; // [jump_count]
+    size_t jump_count;
 } paradt__rows;
 
 // Rows for cells of the mesh from number `first` on. facets: links remain half-facets; else they become the numbers of
@@ -5782,35 +5790,46 @@ static paradt__rows paradt__mesh_rows(int corners, int facets, paradt_index *ver
     paradt__rows to;
     to.vertices = vertices;
     to.links = links;
+    to.move = 0;
     to.offset = (paradt_index)(facets ? first * (size_t)corners : first);
     to.divisor = facets ? 1 : corners;
     to.shift = facets ? 0 : 2;
+    to.jumps = NULL;
+    to.jump_count = 0;
     return to;
 }
 
-// Writes the cell at a place into the same row of `to`, its vertices translated (origin NULL: they are left as they
-// are, which takes that `to` is the mesh itself). Returns whether a facet of it has no mirror.
+// Writes the cell at a place into its row of `to`, its vertices translated (origin NULL: they are left as they are,
+// which takes that `to` is the mesh itself). Returns whether a facet of it has no mirror.
 PARADT__INLINE int paradt__mesh_emit_row(const paradt__mesh *mesh, size_t place, size_t corners,
                                          const paradt_index *origin, const paradt__rows *to) {
     const paradt_index *vertices = mesh->vertices + place * corners, *links = mesh->links + place * corners;
-    paradt_index *new_vertices = to->vertices + place * corners, *new_links = to->links + place * corners, any = 0;
-    size_t j;
+    paradt_index *new_vertices = to->vertices + (place + to->move) * corners, any = 0;
+    paradt_index *new_links = to->links + (place + to->move) * corners;
+    size_t j, k;
     paradt__fetch_row(mesh->vertices, mesh->links, place + PARADT__ROWS_AHEAD, corners);
 #if PARADT__FOUR_AT_ONCE
     if (corners == 4) {
         __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)links), bare = _mm_srai_epi32(handles, 31);
-        __m128i mirrors = _mm_srl_epi32(handles, _mm_cvtsi32_si128(to->shift));
-        mirrors = _mm_add_epi32(mirrors, _mm_set1_epi32(to->offset));
+        __m128i own = _mm_srl_epi32(handles, _mm_cvtsi32_si128(to->shift));
+        __m128i mirrors = _mm_add_epi32(own, _mm_set1_epi32(to->offset));
+        for (k = 0; k < to->jump_count; k++) {
+            __m128i beyond = _mm_cmpgt_epi32(own, _mm_set1_epi32(to->jumps[k].from - 1));
+            mirrors = _mm_add_epi32(mirrors, _mm_and_si128(beyond, _mm_set1_epi32(to->jumps[k].by)));
+        }
         any = -_mm_movemask_ps(_mm_castsi128_ps(handles));
         _mm_storeu_si128((__m128i *)(void *)new_links,
                          _mm_or_si128(_mm_and_si128(bare, handles), _mm_andnot_si128(bare, mirrors)));
     } else
 #endif
         for (j = 0; j < corners; j++) {
-            paradt_index handle = links[j];
+            paradt_index handle = links[j], own, mirror;
             any |= handle;
-            new_links[j] =
-                handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)to->divisor) + to->offset;
+            own = handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)to->divisor);
+            mirror = handle < 0 ? handle : own + to->offset;
+            for (k = 0; k < to->jump_count && handle >= 0; k++)
+                mirror += own >= to->jumps[k].from ? to->jumps[k].by : 0;
+            new_links[j] = mirror;
         }
     for (j = 0; origin && j < corners; j++) new_vertices[j] = origin[vertices[j]];
     return any < 0;
@@ -13882,7 +13901,8 @@ typedef struct paradt__patch {
     paradt_index *origin;       // the caller's indices of all points, or -1 for the points of later regions:
     paradt_index *origin_block; // in this block, or, if it is NULL, in the field's part of set.origin
     size_t dropped;             // cells and ghosts that are not delivered
-    paradt__list open;          // facets delivered without a mirror, numbered as in the result
+    paradt__list *open;         // [open_parts] facets delivered without a mirror, numbered as in the result, by parts
+    size_t open_parts;          // of their hashes; 0: they are not listed
     size_t cells_built;         // cells of the triangulation, of which the mesh has the owned ones in the end
     uint64_t hull_facets;       // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
@@ -13945,13 +13965,21 @@ static void paradt__patch_rest(paradt__patch *patch) {
     patch->a_cell = NULL;
 }
 
+static void paradt__patch_free_open(paradt__patch *patch) {
+    size_t part;
+    for (part = 0; part < patch->open_parts; part++) paradt__list_free(patch->open + part, patch->memory);
+    paradt__release(patch->memory, patch->open);
+    patch->open = NULL;
+    patch->open_parts = 0;
+}
+
 // Frees all that the patch has, its mesh included.
 static void paradt__patch_end(paradt__patch *patch) {
     paradt__patch_rest(patch);
     paradt__list_free(&patch->margin, patch->memory);
     paradt__list_free(&patch->wrong, patch->memory);
     paradt__list_free(&patch->fringe, patch->memory);
-    paradt__list_free(&patch->open, patch->memory);
+    paradt__patch_free_open(patch);
     paradt__insertion_end(&patch->build);
     paradt__release(patch->memory, patch->others);
     paradt__release(patch->memory, patch->origin_block);
@@ -14812,41 +14840,55 @@ static paradt_status paradt__patch_compact(paradt__patch *patch) {
     return PARADT_OK;
 }
 
-// Lists the open facets of a cell that has been emitted. first: number of the region's first cell in the result
-static paradt_status paradt__patch_list_open(paradt__patch *patch, const paradt__rows *to, size_t cell, size_t first) {
-    size_t corners = (size_t)patch->build.scene.mesh.corners, j;
+// Has the patch list its open facets, when it emits its cells, in so many parts.
+static paradt_status paradt__patch_begin_open(paradt__patch *patch, size_t parts) {
+    patch->open = (paradt__list *)paradt__alloc(patch->memory, parts, sizeof *patch->open);
+    if (!patch->open) return PARADT_ERROR_MEMORY;
+    memset(patch->open, 0, parts * sizeof *patch->open);
+    patch->open_parts = parts;
+    return PARADT_OK;
+}
+
+// Lists the open facets of a cell that has been emitted to a row. A facet and its mirror, which another patch lists, are
+// in the same part.
+static paradt_status paradt__patch_list_open(paradt__patch *patch, const paradt__rows *to, size_t row) {
+    const size_t corners = (size_t)patch->build.scene.mesh.corners;
+    const paradt_index *vertices = to->vertices + row * corners;
+    uint64_t sum = paradt__cell_sum(vertices, (int)corners);
+    size_t j;
     paradt_status status = PARADT_OK;
-    for (j = 0; j < corners && !status; j++) {
-        if (to->links[cell * corners + j] == PARADT__OPEN)
-            status = paradt__list_append(&patch->open, (paradt_index)((first + cell) * corners + j), patch->memory);
+    for (j = 0; j < corners && !status && patch->open_parts; j++) {
+        uint64_t hash = paradt__facet_hash(sum - paradt__vertex_key(vertices[j]));
+        if (to->links[row * corners + j] == PARADT__OPEN)
+            status = paradt__list_append(patch->open + (size_t)(hash * patch->open_parts >> 32),
+                                         (paradt_index)(row * corners + j), patch->memory);
     }
     return status;
 }
 
-// Writes the region's cells to `rows`, which may be where they are, or before it, with the caller's vertices, and lists
-// their open facets.
-PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *rows, size_t first,
-                                                      const paradt__progress *progress, size_t corners) {
+// Writes the region's cells [i, end) to `rows`, which may be where they are, or before it, with the caller's vertices,
+// and lists their open facets.
+PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *rows, size_t i,
+                                                      size_t end, const paradt__progress *progress, size_t corners) {
     const paradt__mesh mesh = patch->build.scene.mesh; // copies, which nothing that is written can change
     const paradt__rows to = *rows;
     const paradt_index *origin = patch->origin;
-    size_t i;
     paradt_status status = PARADT_OK;
-    for (i = 0; i < mesh.count; i++) {
+    for (; i < end; i++) {
         int bare;
         if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__progress_cancels(progress, 1.0))
             return PARADT_ERROR_CANCELLED;
         bare = paradt__mesh_emit_row(&mesh, i, corners, origin, &to);
-        paradt__fetch_row(to.vertices, to.links, i + PARADT__ROWS_AHEAD, corners);
-        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_list_open(patch, &to, i, first);
+        paradt__fetch_row(to.vertices, to.links, i + to.move + PARADT__ROWS_AHEAD, corners);
+        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_list_open(patch, &to, i + to.move);
     }
     return status;
 }
 
-static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t first,
+static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t begin, size_t end,
                                         const paradt__progress *progress) {
-    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, first, progress, 4);
-    return paradt__patch_emit_cells(patch, to, first, progress, (size_t)patch->build.scene.mesh.corners);
+    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, begin, end, progress, 4);
+    return paradt__patch_emit_cells(patch, to, begin, end, progress, (size_t)patch->build.scene.mesh.corners);
 }
 
 // --- the whole set
@@ -15161,8 +15203,8 @@ typedef struct paradt__region {
     paradt_status status;
     paradt__mesh mesh;   // by a front, or
     paradt__patch patch; // by insertion:
-    size_t offset;       // the number of its first cell in the result
     size_t slice;        // the first place of its slice
+    size_t piece, pieces; // where in work->pieces the pieces of it begin, and how many there are
     uint64_t hull_facets;
     int built;         // all its cells are there, or it waits
     int waits;         // it waits until it can learn neighbours from other regions
@@ -15204,7 +15246,7 @@ typedef struct paradt__work {
     int first_alone;                        // with insertion: the first region has its own points alone
     paradt__relay relay;                    // with insertion
     paradt__mesh slices;                    // with insertion: a slice of the rows for each region, while they fit
-    paradt__facets open_facets;             // with insertion: of regions, when they are put together
+    struct paradt__piece *pieces;           // with insertion: of the regions' cells in the result
 #endif                                      // PARADT_NO_REGIONS
     // the result
     paradt__mesh mesh;
@@ -16072,54 +16114,6 @@ static void paradt__compact_task(void *context, size_t index) {
     paradt__patch_rest(patch);
 }
 
-// Are the emitted cells of a region written to the start of its slice, to be moved to their place in the result later?
-// The second region's are written to their place directly: no other task uses the gap before its slice.
-static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
-    return index > 1 && work->mesh.vertices == work->slices.vertices;
-}
-
-// Ties a region's open facets whose mirrors have been seen, and enters the others into the table.
-static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
-    const paradt__patch *patch = &work->region[index].patch;
-    paradt_status status = PARADT_OK;
-    size_t i, j, end;
-    for (i = 0; i < patch->open.count && !status; i = end) {
-        end = patch->open.count - i < PARADT__JOINED ? patch->open.count : i + PARADT__JOINED;
-        for (j = end; j < patch->open.count && j < end + PARADT__JOINED; j++) {
-            PARADT__PREFETCH(work->mesh.vertices + patch->open.items[j]);
-            PARADT__PREFETCH(work->mesh.links + patch->open.items[j]);
-        }
-        status =
-            paradt__facets_join(&work->open_facets, &work->mesh, patch->open.items + i, end - i, !work->facets, memory);
-    }
-    return status;
-}
-
-// Frees the coordinates, which no later step takes.
-static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
-    paradt__release(memory, work->set.records);
-    work->set.records = NULL;
-}
-
-// Writes the cells into the result, or to the start of the region's slice. The first region's cells are at their final
-// places then, so its open facets are entered into the table.
-static void paradt__emit_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    const paradt__mesh *own = &region->patch.build.scene.mesh;
-    paradt__progress progress = paradt__region_progress(work, index);
-    size_t first = region->offset * (size_t)work->mesh.corners;
-    int stays = paradt__stays_in_slice(work, index);
-    paradt__rows to =
-        paradt__mesh_rows(work->mesh.corners, work->facets, stays ? own->vertices : work->mesh.vertices + first,
-                          stays ? own->links : work->mesh.links + first, region->offset);
-    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
-    region->status = paradt__patch_emit(&region->patch, &to, region->offset, &progress);
-    if (index || region->status) return;
-    region->status = paradt__facets_begin(&work->open_facets, region->patch.open.count, 0, &region->memory);
-    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
-}
-
 // --- the relay
 //
 // The build step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
@@ -16185,33 +16179,156 @@ static paradt_status paradt__run_relay(paradt__work *work) {
 }
 
 // --- all regions together
+//
+// The slices become the result: the first cells of all slices stay, as many as there are cells in all, and those beyond
+// come into the gaps that the others leave, piece by piece. So every cell is written to its place in the result at once,
+// by the task of its region, and links are translated by steps: see paradt__jump.
 
-// Moves the emitted cells from the slices' starts to their places.
-static void paradt__close_slices(paradt__work *work) {
-    size_t corners = (size_t)work->mesh.corners, i;
+typedef struct paradt__piece {
+    size_t from, count, to; // so many cells from one on come to the result's places from another on
+} paradt__piece;
+
+static void paradt__add_piece(paradt__work *work, paradt__region *region, size_t from, size_t count, size_t to) {
+    paradt__piece *piece = work->pieces + region->piece + region->pieces;
+    if (!count) return;
+    piece->from = from;
+    piece->count = count;
+    piece->to = to;
+    region->pieces++;
+}
+
+// Where the cells of the regions come in slices that `total` of the first places of are to be the result's
+static void paradt__fill_slices(paradt__work *work, size_t total) {
+    size_t gap = 0, used = 0, i; // the slice with the current gap, and places of the gap that are filled
     for (i = 0; i < work->regions; i++) {
-        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
-        size_t first = work->region[i].offset * corners, bytes = own->count * corners * sizeof(paradt_index);
-        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
-        memmove(work->mesh.vertices + first, own->vertices, bytes);
-        memmove(work->mesh.links + first, own->links, bytes);
+        paradt__region *region = work->region + i;
+        size_t count = region->patch.build.scene.mesh.count, from = region->slice < total ? total - region->slice : 0;
+        if (i) region->piece = work->region[i - 1].piece + work->region[i - 1].pieces;
+        if (from > count) from = count;
+        paradt__add_piece(work, region, 0, from, region->slice);
+        while (from < count) {
+            size_t begin = work->region[gap].slice + work->region[gap].patch.build.scene.mesh.count + used;
+            size_t end = gap + 1 < work->regions ? work->region[gap + 1].slice : total, some;
+            if (end > total) end = total;
+            if (begin >= end) {
+                gap++;
+                used = 0;
+                PARADT_ASSERT(gap < work->regions);
+                continue;
+            }
+            some = count - from < end - begin ? count - from : end - begin;
+            paradt__add_piece(work, region, from, some, begin);
+            from += some;
+            used += some;
+        }
     }
 }
 
-// Ties the open facets that the regions have listed; those of the first region are in the table. A facet without a
-// mirror is on the hull.
-static paradt_status paradt__join_patches(paradt__work *work) {
-    size_t i, j;
+// Where the cells of the regions come in a result of its own: one region after another
+static void paradt__append_pieces(paradt__work *work) {
+    size_t i, to = 0;
+    for (i = 0; i < work->regions; i++) {
+        paradt__region *region = work->region + i;
+        if (i) region->piece = work->region[i - 1].piece + work->region[i - 1].pieces;
+        paradt__add_piece(work, region, 0, region->patch.build.scene.mesh.count, to);
+        to += region->patch.build.scene.mesh.count;
+    }
+}
+
+// Fills the jumps of the links of a region's cells, one fewer than pieces.
+static void paradt__fill_jumps(const paradt__work *work, const paradt__piece *piece, size_t pieces,
+                               paradt__jump *jumps) {
+    paradt_index unit = work->facets ? (paradt_index)work->mesh.corners : 1;
+    size_t i;
+    for (i = 0; i + 1 < pieces; i++, piece++) {
+        jumps[i].from = (paradt_index)piece[1].from * unit;
+        jumps[i].by = ((paradt_index)piece[1].to - (paradt_index)(piece[0].to + piece[0].count)) * unit;
+    }
+}
+
+enum { PARADT__MOST_PARTS = 64 }; // of open facets: tasks that tie them
+
+// Writes the cells into the result, and lists their open facets.
+static paradt_status paradt__emit_region(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    const paradt__piece *piece = work->pieces + region->piece;
+    paradt__progress progress = paradt__region_progress(work, index);
+    paradt__jump *jumps = (paradt__jump *)paradt__alloc(&region->memory, region->pieces, sizeof *jumps);
+    paradt__rows to = paradt__mesh_rows(work->mesh.corners, work->facets, work->mesh.vertices, work->mesh.links,
+                                        region->pieces ? piece->to : 0);
+    size_t parts = work->regions < PARADT__MOST_PARTS ? work->regions : (size_t)PARADT__MOST_PARTS, i;
+    paradt_status status = jumps ? paradt__patch_begin_open(&region->patch, parts) : PARADT_ERROR_MEMORY;
+    if (!status) paradt__fill_jumps(work, piece, region->pieces, jumps);
+    to.jumps = jumps;
+    to.jump_count = region->pieces ? region->pieces - 1 : 0;
+    for (i = 0; i < region->pieces && !status; i++, piece++) {
+        to.move = piece->to - piece->from;
+        status = paradt__patch_emit(&region->patch, &to, piece->from, piece->from + piece->count, &progress);
+    }
+    paradt__release(&region->memory, jumps);
+    return status;
+}
+
+// Gives back a region's part of an array of the set: by its task, since that takes time.
+static void paradt__drop_part(const paradt__work *work, size_t index, const void *array, size_t size) {
+    const paradt__field *field = work->fields + index;
+    if (array && work->options.parallel_for)
+        paradt__drop_pages(&work->memory, array, field->begin * size, (field->begin + field->capacity) * size);
+}
+
+// The task of writing a region's cells. Nobody asks any more, so the grid, the seam and the coordinates are not needed.
+static void paradt__emit_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__grid_free(&work->fields[index].grid, &region->memory);
+    paradt__mesh_free(&work->fields[index].seam, &region->memory);
+    paradt__drop_part(work, index, work->set.records, work->set.width * sizeof(double));
+    region->status = paradt__emit_region(work, index);
+    paradt__drop_part(work, index, work->set.origin, sizeof *work->set.origin);
+}
+
+// Ties the facets of a list whose mirrors are in the table, and enters the others.
+static paradt_status paradt__join_list(paradt__work *work, paradt__facets *table, const paradt__list *open,
+                                       paradt__memory *memory) {
     paradt_status status = PARADT_OK;
-    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
-    for (i = 0; i < work->regions && !status && work->open_facets.count; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->open.count; j++) {
-            paradt_index *link = work->mesh.links + patch->open.items[j];
+    size_t i, j, end;
+    for (i = 0; i < open->count && !status; i = end) {
+        end = open->count - i < PARADT__JOINED ? open->count : i + PARADT__JOINED;
+        for (j = end; j < open->count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->mesh.vertices + open->items[j]);
+            PARADT__PREFETCH(work->mesh.links + open->items[j]);
+        }
+        status = paradt__facets_join(table, &work->mesh, open->items + i, end - i, !work->facets, memory);
+    }
+    return status;
+}
+
+// Ties the open facets of one part, which the regions have listed. A facet without a mirror is on the hull.
+static void paradt__join_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__facets table;
+    size_t count = 0, i, j;
+    region->status = PARADT_OK;
+    if (index >= PARADT__MOST_PARTS) return;
+    for (i = 0; i < work->regions; i++) count += work->region[i].patch.open[index].count;
+    region->status = paradt__facets_begin(&table, count / 4, 0, &region->memory);
+    for (i = 0; i < work->regions && !region->status; i++)
+        region->status = paradt__join_list(work, &table, work->region[i].patch.open + index, &region->memory);
+    for (i = 0; i < work->regions && !region->status && table.count; i++) {
+        const paradt__list *open = work->region[i].patch.open + index;
+        for (j = 0; j < open->count; j++) {
+            paradt_index *link = work->mesh.links + open->items[j];
             if (*link == PARADT__OPEN) *link = PARADT__HULL;
         }
     }
-    return status;
+    paradt__facets_free(&table, &region->memory);
+}
+
+// Frees the coordinates, which no later step takes.
+static void paradt__release_records(paradt__work *work) {
+    paradt__release(&work->memory, work->set.records);
+    work->set.records = NULL;
 }
 
 // Puts the cells of the regions together. The slices become the result, unless a region has left its slice, or more
@@ -16222,24 +16339,27 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
     paradt_status status = PARADT_OK;
     for (i = 0; i < work->regions; i++) {
         const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
-        work->region[i].offset = total;
         total += own->count;
         in_place = in_place && own->lent;
         lent = lent || own->lent;
     }
     if (!lent) paradt__mesh_free(&work->slices, &work->memory);
     in_place = in_place && work->slices.capacity <= total + total / 2 + 64;
+    work->pieces = (paradt__piece *)paradt__alloc(&work->memory, 3 * work->regions, sizeof *work->pieces);
+    if (!work->pieces) return PARADT_ERROR_MEMORY;
     if (in_place) {
+        paradt__fill_slices(work, total);
         work->mesh = work->slices;
     } else {
-        paradt__release_records(work, &work->memory);
+        paradt__append_pieces(work);
+        paradt__release_records(work);
         status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
     }
     work->mesh.count = total;
     status = paradt__run_step(work, status, paradt__emit_task);
-    if (!status && in_place) paradt__close_slices(work);
     if (in_place) memset(&work->slices, 0, sizeof work->slices);
-    return status ? status : paradt__join_patches(work);
+    paradt__release_records(work);
+    return paradt__run_step(work, status, paradt__join_task);
 }
 
 static size_t paradt__count_waiting(const paradt__work *work) {
@@ -16308,7 +16428,7 @@ static paradt_status paradt__build_next(paradt__work *work, size_t index) {
     if (!region->status) paradt__compact_task(work, index);
     if (!region->status && !own->lent) region->status = paradt__next_room(work, own->count, rest);
     to = paradt__mesh_rows(mesh->corners, work->facets, mesh->vertices + mesh->count * corners, own->links, 0);
-    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0, &progress);
+    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0, own->count, &progress);
     if (region->status) return region->status;
     mesh->count += own->count;
     paradt__patch_end(&region->patch);
@@ -16451,7 +16571,8 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
         paradt__mesh_free(&work->fields[i].seam, &work->memory);
     }
     paradt__mesh_free(&work->slices, &work->memory);
-    paradt__facets_free(&work->open_facets, &work->memory);
+    paradt__release(&work->memory, work->pieces);
+    work->pieces = NULL;
     if (taken) work->regions = 1;
     return status;
 }
