@@ -1079,7 +1079,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 // CONTENTS, with the lines of each section
 //
 //   ground
-//     memory                       173   the account of every byte
+//     memory                       189   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
@@ -1090,15 +1090,15 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     signs                        244   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
-//     points                       162   the caller's points, records
+//     points                       164   the caller's points, records
 //     measures                     144   points that span, spacing
-//     cuts                         220   boxes of space
-//     reading                      199   the first pass over the points
-//     sorting                      373   along the curve, box after box
-//     scale and axes               104   the scale, the axes that orient
+//     cuts                         253   boxes of space
+//     reading                      226   the first pass over the points
+//     sorting                      473   along the curve, box after box
+//     scale and axes               152   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         694   cells, links, ghosts, free places; closing
+//     mesh                         698   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
 //     scene                        116   conflict test, walk, update
 //   search
@@ -1131,19 +1131,19 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     Delaunay tree                333   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
-//     fringe                        94   cells that are not a region's own alone
-//     fields and patches           335   a region's points, its insertion
-//     questions between regions    364   is a cell one of T(P)?
+//     fringe                       106   cells that are not a region's own alone
+//     fields and patches           344   a region's points, its insertion
+//     questions between regions    369   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
-//     results of patches           162   dropping, emitting, taking over
+//     results of patches           176   dropping, emitting, taking over
 //     known points                 234   what a rank builds
 //     call                         195   what one call works with; steps
 //     fronts                       105   InCoDe and DeWall from set to mesh
 //     parallel dewall              495   DeWall by tasks
-//     regions of insertion         529   the steps of a divided insertion
+//     regions of insertion         616   the steps of a divided insertion
 //   entry
-//     methods                      295   one row a method; AUTO's choice
-//     triangulate                  380   the entry
+//     methods                      330   one row a method; AUTO's choice
+//     triangulate                  387   the entry
 //   use
 //     minors                        65   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
@@ -1468,9 +1468,9 @@ static void paradt__make_pages(const void *array, size_t first, size_t end) {
 #endif
 }
 
-// Gives the pages of the array's bytes first..end - 1, which nobody reads again, back to the system. Several threads can
-// do that for parts of one array, before it is released, which then takes no time. Only where the array is sure to be a
-// mapping of its own: malloc's, of such a size.
+// Gives the pages of the array's bytes first..end - 1, which nobody reads again, back to the system. Several threads
+// can do that for parts of one array, before it is released, which then takes no time. Only where the array is sure to
+// be a mapping of its own: malloc's, of such a size.
 PARADT__OPTIONAL void paradt__drop_pages(const paradt__memory *memory, const void *array, size_t first, size_t end) {
 #ifdef PARADT__MADVISE
     enum { MAPPED = 1 << 25, DONTNEED = 4 }; // bytes: the most that glibc's malloc ever takes from a heap
@@ -3956,7 +3956,7 @@ PARADT__COLD int paradt__set_basis(const paradt__set *set, const paradt_index *o
 // the upper side; the outer boxes are unbounded. The boxes of the upper side come first. Where exactly the cuts are
 // matters for speed only, so they are found by a sample of the points.
 // Doors: paradt__cut_is_above, paradt__cuts_find, paradt__cuts_nearest, paradt__cuts_box,
-// paradt__cuts_gap, paradt__cuts_reserve, paradt__cuts_place, paradt__cuts_mark, paradt__cuts_follow,
+// paradt__cuts_reserve, paradt__cuts_place, paradt__cuts_mark, paradt__cuts_follow,
 // paradt__select_key, paradt__cutter_divide.
 
 typedef struct paradt__cut {
@@ -4025,14 +4025,14 @@ PARADT__OPTIONAL void paradt__cuts_box(const paradt__cuts *cuts, size_t box, dou
     }
 }
 
-// Returns the number of places behind the `count` points of a box for points of others: as many as a margin of two
-// layers has, on as many sides as there are cuts on the way to a box, and some more. The first box has none, since its
-// region is likely to be built alone.
+// Returns the number of places behind the `count` points of a box for points of others: as many as a margin of two and
+// a half layers has, on as many sides as there are cuts on the way to a box. The first box has none, since its region
+// is likely to be built alone.
 static size_t paradt__cuts_gap(const paradt__cuts *cuts, size_t box, size_t count, int dim) {
     int sides = paradt__min(paradt__bit_length(cuts->boxes - 1), 2 * dim);
-    double layers = pow(1.0 + 2.0 / pow((double)count + 1.0, 1.0 / dim), sides) - 1.0;
+    double layers = pow(1.0 + 2.5 / pow((double)count + 1.0, 1.0 / dim), sides) - 1.0;
     if (!box || !count || cuts->boxes == 1) return 0;
-    return (size_t)((double)count * (layers < 0.125 ? 0.125 : layers < 1.0 ? layers : 1.0)) + 64;
+    return (size_t)((double)count * (layers < 0.0625 ? 0.0625 : layers < 1.0 ? layers : 1.0)) + 64;
 }
 
 // Number of points that a set of `count` points needs memory for besides, to have gaps between the boxes' points. Gaps
@@ -4074,7 +4074,8 @@ static void paradt__cuts_mark(paradt__cuts *cuts, const paradt__set *set) {
         }
         cuts->cut[box].begin = begin;
     }
-    for (box = cuts->boxes; box-- > 0; before = cuts->cut[box].begin) cuts->cut[box].count = before - cuts->cut[box].begin;
+    for (box = cuts->boxes; box-- > 0; before = cuts->cut[box].begin)
+        cuts->cut[box].count = before - cuts->cut[box].begin;
 }
 
 // Adapts cuts to a set whose axes have been permuted and, if `scaled`, whose coordinates have been scaled. A cut that
@@ -4239,17 +4240,17 @@ typedef struct paradt__loader {
     paradt_index *representative; // [points.count] by index
     paradt__cuts *cuts;           // NULL: there is one box
     paradt__reader *reader;       // [tasks]
-    double *sample;         // [sampled][dim] points that tell how all are spread, in memory of the records
-    size_t sampled;         // 0 to PARADT__CUT_SAMPLED
-    paradt__keyed *keyed;   // [points.count]
-    paradt__keyed *scratch; // [points.count] the sort's scratch buffer, in memory of the records
-    size_t *next;           // [tasks + 1][2^first_bits] by first digit: where the task's next such point goes; and, after
-                            // those of the tasks, where the digit ends
-    int first_bits;         // bits of a key's first digit, at most
-    int shift;              // bits of a key below its first digit, which has the box's number, if there are boxes
-    size_t digits;          // values that the first digit may have
-    size_t *rank;           // [boxes] if they are read apart: number of points in boxes before
-    int repeats;            // some points are not the first at their place
+    double *sample;               // [sampled][dim] points that tell how all are spread, in memory of the records
+    size_t sampled;               // 0 to PARADT__CUT_SAMPLED
+    paradt__keyed *keyed;         // [points.count]
+    paradt__keyed *scratch;       // [points.count] the sort's scratch buffer, in memory of the records
+    size_t *next;   // [tasks + 1][2^first_bits] by first digit: where the task's next such point goes; and, after
+                    // those of the tasks, where the digit ends
+    int first_bits; // bits of a key's first digit, at most
+    int shift;      // bits of a key below its first digit, which has the box's number, if there are boxes
+    size_t digits;  // values that the first digit may have
+    size_t *rank;   // [boxes] if they are read apart: number of points in boxes before
+    int repeats;    // some points are not the first at their place
     paradt__memory *memory;
     paradt__lattice lattice;
     paradt__hilbert hilbert;
@@ -4282,7 +4283,8 @@ static paradt_status paradt__loader_allocate(paradt__loader *loader) {
     set->capacity = count + loader->source->reserve;
     loader->keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *loader->keyed);
     loader->reader = (paradt__reader *)paradt__alloc(memory, loader->team->tasks, sizeof *loader->reader);
-    loader->next = (size_t *)paradt__alloc(memory, (loader->team->tasks + 1) << loader->first_bits, sizeof *loader->next);
+    loader->next =
+        (size_t *)paradt__alloc(memory, (loader->team->tasks + 1) << loader->first_bits, sizeof *loader->next);
     set->records = (double *)paradt__alloc(memory, set->capacity, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(memory, set->capacity, sizeof *set->origin);
     loader->sample = set->records;
@@ -4294,8 +4296,7 @@ static paradt_status paradt__loader_allocate(paradt__loader *loader) {
         loader->cuts->cut = (paradt__cut *)paradt__alloc(memory, loader->cuts->boxes, sizeof *loader->cuts->cut);
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
     }
-    if (!loader->keyed || !loader->reader || !loader->next || !set->records || !set->origin)
-        return PARADT_ERROR_MEMORY;
+    if (!loader->keyed || !loader->reader || !loader->next || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
     // A record takes at least two doubles, as much as a key with its item. In the middle, so that each of two tasks
     // that fill the records has as many new pages to touch.
     loader->scratch = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
@@ -4404,7 +4405,8 @@ static void paradt__survey_task(void *context, size_t task) {
         next = end - i < TOGETHER ? end : i + TOGETHER;
         if (PARADT_MAX_DIM > 2 && dim == 3) paradt__survey_points(loader, task, i, next, 3);
         else paradt__survey_points(loader, task, i, next, dim);
-        if (!paradt__space_is_finite(&loader->reader[task].space)) loader->reader[task].bad = paradt__first_bad(loader->source, i);
+        if (!paradt__space_is_finite(&loader->reader[task].space))
+            loader->reader[task].bad = paradt__first_bad(loader->source, i);
         paradt__sample(loader, paradt__intervals_until(loader, i), paradt__intervals_until(loader, next));
     }
 }
@@ -4804,8 +4806,7 @@ static size_t paradt__loader_merge(paradt__loader *loader, size_t i, size_t end,
         paradt_index origin = keyed[i].item;
         for (next = i + 1; next < end && keyed[next].key; next++) {
             const double *record = set->records + (from + next - i) * width;
-            if (!set->space.weighted ||
-                paradt__ordered_bits(record[ambient]) <= paradt__ordered_bits(best[ambient]))
+            if (!set->space.weighted || paradt__ordered_bits(record[ambient]) <= paradt__ordered_bits(best[ambient]))
                 continue;
             best = record;
             origin = keyed[next].item;
@@ -5862,19 +5863,6 @@ PARADT__HOT uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *
                                         paradt__meter *meter) {
     if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, meter, 4);
     return paradt__mesh_close_any(mesh, origin, facets, meter, (size_t)mesh->corners);
-}
-
-// The first place from `place` on of a ghost, or of a cell with a vertex that is not in [0, own); mesh->count if there
-// is none.
-PARADT__INLINE size_t paradt__mesh_fringe_from(const paradt__mesh *mesh, size_t corners, paradt_index own,
-                                               size_t place) {
-    for (; place < mesh->count; place++) {
-        const paradt_index *vertices = mesh->vertices + place * corners;
-        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
-        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
-        if (vertices[0] != PARADT__DEAD) break;
-    }
-    return place;
 }
 
 // Appends the cells from `first` on of another mesh, which has no free places. Their links to cells before these are
@@ -13768,11 +13756,23 @@ PARADT__INLINE paradt_status paradt__fringe_add(paradt__list *fringe, paradt__me
                                                                   : PARADT_OK;
 }
 
+// The first place from `place` on of a ghost, or of a cell with a vertex that is not in [0, own); mesh->count if there
+// is none.
+PARADT__INLINE size_t paradt__fringe_from(const paradt__mesh *mesh, size_t corners, paradt_index own, size_t place) {
+    for (; place < mesh->count; place++) {
+        const paradt_index *vertices = mesh->vertices + place * corners;
+        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
+        if (vertices[0] != PARADT__DEAD) break;
+    }
+    return place;
+}
+
 // Finds the first place of the fringe from *place on and adds it. On return *place is that place, or mesh->count if
 // there is none. corners: the mesh's; inlined with a constant
 PARADT__INLINE paradt_status paradt__fringe_add_next(paradt__list *fringe, paradt__mesh *mesh, size_t corners,
                                                      paradt_index own, size_t *place, paradt__memory *memory) {
-    *place = paradt__mesh_fringe_from(mesh, corners, own, *place);
+    *place = paradt__fringe_from(mesh, corners, own, *place);
     return *place < mesh->count ? paradt__fringe_add(fringe, mesh, (paradt_index)*place, memory) : PARADT_OK;
 }
 
@@ -14232,11 +14232,16 @@ PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, s
 
 // Begins asking. Listing the suspects takes as long as inserting some points, while the other regions go on.
 static paradt_status paradt__patch_begin_asking(paradt__patch *patch) {
-    enum { CELLS_A_POINT = 400 };
+    enum { CELLS_A_POINT = 400, FRINGE_A_POINT = 11 /* of others: most uniform sets have less */ };
     const paradt__mesh *mesh = &patch->build.scene.mesh;
+    size_t others = patch->build.count - patch->own->set.count;
+    paradt_status status;
     PARADT__VERIFY(mesh, 1, PARADT__CONFLICT);
     patch->is_asking = 1;
     if (patch->own_points_only) return PARADT_OK;
+    status =
+        paradt__list_room(&patch->fringe.items, 0, &patch->fringe.capacity, others * FRINGE_A_POINT, patch->memory);
+    if (status) return status;
     paradt__relay_waits(patch->build.relay, mesh->count / CELLS_A_POINT);
     if (mesh->corners == 4) return paradt__patch_list_suspects(patch, 4);
     return paradt__patch_list_suspects(patch, (size_t)mesh->corners);
@@ -14849,8 +14854,8 @@ static paradt_status paradt__patch_begin_open(paradt__patch *patch, size_t parts
     return PARADT_OK;
 }
 
-// Lists the open facets of a cell that has been emitted to a row. A facet and its mirror, which another patch lists, are
-// in the same part.
+// Lists the open facets of a cell that has been emitted to a row. A facet and its mirror, which another patch lists,
+// are in the same part.
 static paradt_status paradt__patch_list_open(paradt__patch *patch, const paradt__rows *to, size_t row) {
     const size_t corners = (size_t)patch->build.scene.mesh.corners;
     const paradt_index *vertices = to->vertices + row * corners;
@@ -15201,9 +15206,9 @@ enum {
 typedef struct paradt__region {
     paradt__memory memory;
     paradt_status status;
-    paradt__mesh mesh;   // by a front, or
-    paradt__patch patch; // by insertion:
-    size_t slice;        // the first place of its slice
+    paradt__mesh mesh;    // by a front, or
+    paradt__patch patch;  // by insertion:
+    size_t slice;         // the first place of its slice
     size_t piece, pieces; // where in work->pieces the pieces of it begin, and how many there are
     uint64_t hull_facets;
     int built;         // all its cells are there, or it waits
@@ -16181,8 +16186,8 @@ static paradt_status paradt__run_relay(paradt__work *work) {
 // --- all regions together
 //
 // The slices become the result: the first cells of all slices stay, as many as there are cells in all, and those beyond
-// come into the gaps that the others leave, piece by piece. So every cell is written to its place in the result at once,
-// by the task of its region, and links are translated by steps: see paradt__jump.
+// come into the gaps that the others leave, piece by piece. So every cell is written to its place in the result at
+// once, by the task of its region, and links are translated by steps: see paradt__jump.
 
 typedef struct paradt__piece {
     size_t from, count, to; // so many cells from one on come to the result's places from another on

@@ -139,7 +139,7 @@ static const char *name_of(void (*task)(void *context, size_t index)) {
         {paradt__grid_task, "grid"},     {paradt__points_task, "points"},     {paradt__lend_task, "lend"},
         {paradt__build_task, "build"},   {paradt__leg_task, "build"},         {paradt__publish_task, "publish"},
         {paradt__learn_task, "learn"},   {paradt__complete_task, "complete"}, {paradt__compact_task, "compact"},
-        {paradt__emit_task, "emit"},       {paradt__join_task, "join"},     {paradt__box_task, "boxes"},
+        {paradt__emit_task, "emit"},     {paradt__join_task, "join"},         {paradt__box_task, "boxes"},
     };
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (names[i].task == task) return names[i].name;
