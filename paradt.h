@@ -1092,9 +1092,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     curve                        323   Hilbert's curve, sorting along it
 //     points                       164   the caller's points, records
 //     measures                     144   points that span, spacing
-//     cuts                         253   boxes of space
+//     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
-//     sorting                      473   along the curve, box after box
+//     sorting                      469   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
@@ -1140,7 +1140,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     call                         195   what one call works with; steps
 //     fronts                       105   InCoDe and DeWall from set to mesh
 //     parallel dewall              495   DeWall by tasks
-//     regions of insertion         616   the steps of a divided insertion
+//     regions of insertion         618   the steps of a divided insertion
 //   entry
 //     methods                      330   one row a method; AUTO's choice
 //     triangulate                  387   the entry
@@ -3956,7 +3956,7 @@ PARADT__COLD int paradt__set_basis(const paradt__set *set, const paradt_index *o
 // the upper side; the outer boxes are unbounded. The boxes of the upper side come first. Where exactly the cuts are
 // matters for speed only, so they are found by a sample of the points.
 // Doors: paradt__cut_is_above, paradt__cuts_find, paradt__cuts_nearest, paradt__cuts_box,
-// paradt__cuts_reserve, paradt__cuts_place, paradt__cuts_mark, paradt__cuts_follow,
+// paradt__cuts_reserve, paradt__cuts_place, paradt__cuts_fill_gap, paradt__cuts_mark, paradt__cuts_follow,
 // paradt__select_key, paradt__cutter_divide.
 
 typedef struct paradt__cut {
@@ -4059,6 +4059,16 @@ static void paradt__cuts_place(paradt__cuts *cuts, size_t capacity, int dim) {
     }
     PARADT_ASSERT(end <= capacity);
     cuts->positions = end;
+}
+
+// Fills the gap behind a box's points with copies of the last one, so that a pass over all positions meets nothing but
+// records of the set. Where there are no points there is no gap.
+static void paradt__cuts_fill_gap(const paradt__cuts *cuts, const paradt__set *set, size_t box) {
+    const paradt__cut *cut = cuts->cut + box;
+    size_t end = box + 1 < cuts->boxes ? cut[1].begin : cuts->positions, position = cut->begin + cut->count;
+    for (; position < end; position++)
+        paradt__copy_record(set->records + position * set->width, set->records + (position - 1) * set->width,
+                            set->width);
 }
 
 // Notes where each box begins in a set in the order of the boxes, without gaps. Its records are as they were read.
@@ -4819,17 +4829,13 @@ static size_t paradt__loader_merge(paradt__loader *loader, size_t i, size_t end,
     return to - begin;
 }
 
-// Ends a box that is read apart: merges its points, if some repeat others, and fills the gap behind them with copies of
-// the last one, so that a pass over all positions meets nothing but records of the set.
+// Ends a box that is read apart: merges its points, if some repeat others, and fills the gap behind them.
 static void paradt__box_task(void *context, size_t box) {
     paradt__loader *loader = (paradt__loader *)context;
-    paradt__set *set = loader->set;
     paradt__cut *cut = loader->cuts->cut + box;
-    size_t i = loader->rank[box], end = i + cut->count, width = set->width, position;
-    size_t until = box + 1 < loader->cuts->boxes ? loader->cuts->cut[box + 1].begin : loader->cuts->positions;
+    size_t i = loader->rank[box], end = i + cut->count;
     if (loader->repeats) cut->count = paradt__loader_merge(loader, i, end, cut->begin);
-    for (position = cut->begin + cut->count; position < until; position++) // of no points there is no gap
-        paradt__copy_record(set->records + position * width, set->records + (position - 1) * width, width);
+    paradt__cuts_fill_gap(loader->cuts, loader->set, box);
     if (loader->team->tasks > 1)
         paradt__drop_pages(loader->memory, loader->keyed, i * sizeof *loader->keyed, end * sizeof *loader->keyed);
 }
@@ -14770,7 +14776,7 @@ static paradt_status paradt__patch_apply_seam(paradt__patch *patch) {
 //
 // All that the region does not own is in the fringe, and of the first region in the list of wrong cells; the mesh is
 // compacted by these lists. Points of later regions get -1 for an index meanwhile: a cell with such a vertex is not the
-// region's. Doors: paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all.
+// region's. Doors: paradt__patch_compact, paradt__patch_begin_open, paradt__patch_emit, paradt__patch_take_all.
 
 #define PARADT__LATER_REGION ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MIN : INT64_MIN)) // a bit of -1
 
@@ -16505,14 +16511,16 @@ static void paradt__move_points(paradt__work *work, size_t index, size_t from, s
     memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
 }
 
-// Makes gaps between the regions' points, for copies of others' points, in a set that was read without.
+// Makes gaps between the regions' points, for copies of others' points, in a set that was read without: as if it had
+// been read with them.
 static void paradt__open_set(paradt__work *work) {
     size_t capacity = work->set.capacity, from = work->set.count, i;
     if (capacity > (size_t)PARADT__NOWHERE) capacity = (size_t)PARADT__NOWHERE;
     paradt__cuts_place(&work->cuts, capacity, work->set.space.dim);
-    for (i = work->regions; i-- > 1;) {
+    for (i = work->regions; i-- > 0;) {
         from -= paradt__region_count(work, i);
         paradt__move_points(work, i, from, work->cuts.cut[i].begin);
+        paradt__cuts_fill_gap(&work->cuts, &work->set, i);
     }
 }
 
