@@ -22,7 +22,7 @@ TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),
 ZLIB ?= $(if $(filter clean help,$(MAKECMDGOALS)),,$(shell echo 'int main(void) { return zlibVersion() == 0; }' | \
     $(CC) -include zlib.h -x c -o /dev/null - -lz 2>/dev/null && echo -DPARADT_ZLIB -lz))
 
-.PHONY: all run examples check test bench thesis study theory lib clean help test-programs test-list
+.PHONY: all run examples check test bench thesis study study-threads theory lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -212,6 +212,13 @@ $(BUILD)/bench/study: tests/bench/study.c
 
 study: $(BUILD)/bench/study ## Measure the work of up to 256 ranks, one after another (about 15 minutes; needs no MPI)
 	sh tests/bench/study.sh
+
+$(BUILD)/bench/study_threads: tests/bench/study_threads.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -I. -o $@ $< -pthread -lm
+
+study-threads: $(BUILD)/bench/study_threads ## Measure the tasks of up to 64 threads, one after another (about 15 minutes)
+	sh tests/bench/study_threads.sh
 
 $(BUILD)/bench/theory: tests/bench/theory.c
 	@mkdir -p $(@D)

@@ -1527,7 +1527,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 // CONTENTS, with the lines of each section
 //
 //   ground
-//     memory                       173   the account of every byte
+//     memory                       189   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        185   progress, teams, pauses, the clock
 //   predicates
@@ -1538,15 +1538,15 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        323   Hilbert's curve, sorting along it
-//     points                       162   the caller's points, records
+//     points                       164   the caller's points, records
 //     measures                     144   points that span, spacing
-//     cuts                         220   boxes of space
-//     reading                      199   the first pass over the points
-//     sorting                      373   along the curve, box after box
-//     scale and axes               104   the scale, the axes that orient
+//     cuts                         263   boxes of space
+//     reading                      226   the first pass over the points
+//     sorting                      469   along the curve, box after box
+//     scale and axes               152   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         695   cells, links, ghosts, free places; closing
+//     mesh                         699   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
 //     scene                        202   conflict test, walk, update
 //   search
@@ -1581,25 +1581,25 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     Delaunay tree                296   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
-//     fringe                        94   cells that are not a region's own alone
-//     fields and patches           335   a region's points, its insertion
-//     questions between regions    364   is a cell one of T(P)?
+//     fringe                       106   cells that are not a region's own alone
+//     fields and patches           344   a region's points, its insertion
+//     questions between regions    369   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
-//     results of patches           162   dropping, emitting, taking over
+//     results of patches           176   dropping, emitting, taking over
 //     known points                 234   what a rank builds
 //     call                         195   what one call works with; steps
 //     fronts                       105   InCoDe and DeWall from set to mesh
 //     parallel dewall              495   DeWall by tasks
-//     regions of insertion         529   the steps of a divided insertion
+//     regions of insertion         618   the steps of a divided insertion
 //   entry
-//     methods                      295   one row a method; AUTO's choice
-//     triangulate                  380   the entry
+//     methods                      330   one row a method; AUTO's choice
+//     triangulate                  387   the entry
 //   use
 //     minors                        67   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
 //     hull faces                   336   planes, extreme points, measures
 //     hull                         270   the entry
-//     given triangulation          197   the caller's cells and points as a mesh and a set
+//     given triangulation          198   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
@@ -1613,10 +1613,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
 //     locator                      644   the entry of queries
-//     holes of vertices            381   the hole where a vertex goes, and wrapping it
+//     holes of vertices            382   the hole where a vertex goes, and wrapping it
 //     filling holes                391   what fills it
 //     state of a living set        698   columns, journal, hidden and coincident points
-//     changes of a living set      679   one point comes, goes or moves; the set anew
+//     changes of a living set      680   one point comes, goes or moves; the set anew
 //     living set                   634   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
@@ -1795,7 +1795,7 @@ extern "C" {
 // needs no size and the account stays exact. An account belongs to one thread at a time: each region has an account
 // of its own with a share of the limit, which paradt__memory_join adds to the parent's account when the region ends.
 // Doors: paradt__memory_begin, paradt__memory_fork, paradt__memory_join, paradt__alloc, paradt__alloc_filled,
-// paradt__grow, paradt__release, paradt__make_pages, paradt__block_bytes.
+// paradt__grow, paradt__release, paradt__make_pages, paradt__drop_pages, paradt__block_bytes.
 
 typedef struct paradt__memory {
     paradt_allocator allocator;
@@ -1938,6 +1938,22 @@ static void paradt__make_pages(const void *array, size_t first, size_t end) {
         errno = before;
 #else
     (void)array, (void)first, (void)end;
+#endif
+}
+
+// Gives the pages of the array's bytes first..end - 1, which nobody reads again, back to the system. Several threads
+// can do that for parts of one array, before it is released, which then takes no time. Only where the array is sure to
+// be a mapping of its own: malloc's, of such a size.
+PARADT__OPTIONAL void paradt__drop_pages(const paradt__memory *memory, const void *array, size_t first, size_t end) {
+#ifdef PARADT__MADVISE
+    enum { MAPPED = 1 << 25, DONTNEED = 4 }; // bytes: the most that glibc's malloc ever takes from a heap
+    uintptr_t begin = (uintptr_t)array, from = (begin + first + PARADT__PAGE - 1) / PARADT__PAGE * PARADT__PAGE;
+    uintptr_t to = (begin + end) / PARADT__PAGE * PARADT__PAGE;
+    int before = errno;
+    if (memory->allocator.alloc != paradt__default_alloc || paradt__block_bytes(array) <= MAPPED) return;
+    if (to > from && madvise((void *)from, (size_t)(to - from), DONTNEED)) errno = before;
+#else
+    (void)memory, (void)array, (void)first, (void)end;
 #endif
 }
 
@@ -2256,18 +2272,18 @@ static paradt__progress paradt__progress_of_task(paradt__progress progress, size
 typedef struct paradt__team {
     paradt_parallel_for parallel_for; // NULL: one after another
     void *user;
-    size_t tasks;              // 1..PARADT__MOST_TASKS
+    size_t tasks;              // at least one
     paradt__progress progress; // of what they do together
 } paradt__team;
 
-enum { PARADT__MOST_TASKS = 4 };
+enum { PARADT__MOST_TASKS = 4 }; // of hulls
 
-static paradt__team paradt__team_of(const paradt_options *options, size_t regions, paradt__progress progress) {
+// A team of so many tasks; of one without a parallel_for
+static paradt__team paradt__team_of(const paradt_options *options, size_t tasks, paradt__progress progress) {
     paradt__team team;
     team.parallel_for = options->parallel_for;
     team.user = options->user;
-    team.tasks = options->parallel_for ? regions : 1;
-    if (team.tasks > PARADT__MOST_TASKS) team.tasks = PARADT__MOST_TASKS;
+    team.tasks = options->parallel_for ? tasks : 1;
     team.progress = progress;
     return team;
 }
@@ -4168,6 +4184,8 @@ static void paradt__curve_sort(const paradt__curve *curve, const double *records
 // Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
 // paradt__weight_size, paradt__weight, paradt__read_record, paradt__coordinates, paradt__fetch_point.
 
+#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
+
 enum {
     PARADT__UNGRADED,
     PARADT__WEIGHT,
@@ -4469,13 +4487,15 @@ PARADT__COLD int paradt__set_basis(const paradt__set *set, const paradt_index *o
 // part of the points (bisection), or of the volume (uniform); the thesis, chapters 4 and 6. A point on a cut belongs to
 // the upper side; the outer boxes are unbounded. The boxes of the upper side come first. Where exactly the cuts are
 // matters for speed only, so they are found by a sample of the points.
-// Doors: paradt__cut_is_above, paradt__cuts_find, paradt__cuts_nearest, paradt__cuts_box, paradt__cuts_end,
-// paradt__cuts_reserve, paradt__cuts_mark, paradt__cuts_follow, paradt__select_key, paradt__cutter_divide.
+// Doors: paradt__cut_is_above, paradt__cuts_find, paradt__cuts_nearest, paradt__cuts_box,
+// paradt__cuts_reserve, paradt__cuts_place, paradt__cuts_fill_gap, paradt__cuts_mark, paradt__cuts_follow,
+// paradt__select_key, paradt__cutter_divide.
 
 typedef struct paradt__cut {
     double at;
     int axis;
-    size_t begin; // position of the first point of the box below, in a set in the order of the boxes
+    size_t begin; // position of the first point of the box below, in a set in the order of the boxes,
+    size_t count; // and number of its points
 } paradt__cut;
 
 typedef struct paradt__cuts {
@@ -4483,7 +4503,9 @@ typedef struct paradt__cuts {
     paradt_partition partition;
     int larger_first; // 1: box 0 gets more points than others. By insertion its region looks for no points of others
     int gaps;         // 1: the set is to have memory for gaps between the boxes' points, where a region adds others'
-    paradt__cut *cut; // [boxes] cut[i] is between boxes before i and those from i on; cut[0] is not used
+    int apart;        // 1: the points are read with these gaps between them
+    size_t positions; // where they are: end of the last gap; 0: there are no gaps (yet)
+    paradt__cut *cut; // [boxes] cut[i] is between boxes before i and those from i on; of cut[0] the points alone count
 } paradt__cuts;
 
 PARADT__INLINE int paradt__cut_is_above(const paradt__cut *cut, const double *x) {
@@ -4535,21 +4557,58 @@ PARADT__OPTIONAL void paradt__cuts_box(const paradt__cuts *cuts, size_t box, dou
     }
 }
 
-// Position after the last point of a box, in a set of `count` points in the order of the boxes
-PARADT__OPTIONAL size_t paradt__cuts_end(const paradt__cuts *cuts, size_t box, size_t count) {
-    return box + 1 < cuts->boxes ? cuts->cut[box + 1].begin : count;
+// Returns the number of places behind the `count` points of a box for points of others: as many as a margin of two and
+// a half layers has, on as many sides as there are cuts on the way to a box. The first box has none, since its region
+// is likely to be built alone.
+static size_t paradt__cuts_gap(const paradt__cuts *cuts, size_t box, size_t count, int dim) {
+    int sides = paradt__min(paradt__bit_length(cuts->boxes - 1), 2 * dim);
+    double layers = pow(1.0 + 2.5 / pow((double)count + 1.0, 1.0 / dim), sides) - 1.0;
+    if (!box || !count || cuts->boxes == 1) return 0;
+    return (size_t)((double)count * (layers < 0.0625 ? 0.0625 : layers < 1.0 ? layers : 1.0)) + 64;
 }
 
-// Number of points that a set of `count` points needs memory for besides, to have gaps between the boxes' points
-static size_t paradt__cuts_reserve(const paradt__cuts *cuts, size_t count) {
-    return cuts && cuts->gaps && cuts->boxes > 1 ? count / 8 + 64 * cuts->boxes : 0;
+// Number of points that a set of `count` points needs memory for besides, to have gaps between the boxes' points. Gaps
+// take most where boxes have equally many points.
+static size_t paradt__cuts_reserve(const paradt__cuts *cuts, size_t count, int dim) {
+    return cuts && cuts->gaps ? cuts->boxes * (paradt__cuts_gap(cuts, 1, count / cuts->boxes + 1, dim) + 1) : 0;
 }
 
-// Notes where each box begins in a set in the order of the boxes. Its records are as they were read.
+// Decides where each box begins, by its number of points: with gaps between them, narrower ones where positions beyond
+// `capacity` would be needed.
+static void paradt__cuts_place(paradt__cuts *cuts, size_t capacity, int dim) {
+    size_t box, points = 0, gaps = 0, end = 0;
+    double part;
+    for (box = 0; box < cuts->boxes; box++) {
+        points += cuts->cut[box].count;
+        gaps += paradt__cuts_gap(cuts, box, cuts->cut[box].count, dim);
+    }
+    PARADT_ASSERT(points <= capacity);
+    part = gaps > capacity - points ? (double)(capacity - points) / ((double)gaps + 1.0) : 1.0;
+    for (box = 0; box < cuts->boxes; box++) {
+        paradt__cut *cut = cuts->cut + box;
+        cut->begin = end;
+        end += cut->count + (size_t)(part * (double)paradt__cuts_gap(cuts, box, cut->count, dim));
+    }
+    PARADT_ASSERT(end <= capacity);
+    cuts->positions = end;
+}
+
+// Fills the gap behind a box's points with copies of the last one, so that a pass over all positions meets nothing but
+// records of the set. Where there are no points there is no gap.
+static void paradt__cuts_fill_gap(const paradt__cuts *cuts, const paradt__set *set, size_t box) {
+    const paradt__cut *cut = cuts->cut + box;
+    size_t end = box + 1 < cuts->boxes ? cut[1].begin : cuts->positions, position = cut->begin + cut->count;
+    for (; position < end; position++)
+        paradt__copy_record(set->records + position * set->width, set->records + (position - 1) * set->width,
+                            set->width);
+}
+
+// Notes where each box begins in a set in the order of the boxes, without gaps. Its records are as they were read.
 static void paradt__cuts_mark(paradt__cuts *cuts, const paradt__set *set) {
-    size_t box;
+    size_t box, before = set->count;
+    cuts->cut[0].begin = 0;
     for (box = 1; box < cuts->boxes; box++) {
-        size_t begin = box > 1 ? cuts->cut[box - 1].begin : 0, end = set->count;
+        size_t begin = cuts->cut[box - 1].begin, end = set->count;
         while (begin < end) {
             size_t middle = begin + (end - begin) / 2;
             if (paradt__cuts_find(cuts, paradt__record(set, (paradt_index)middle)) < box) begin = middle + 1;
@@ -4557,6 +4616,8 @@ static void paradt__cuts_mark(paradt__cuts *cuts, const paradt__set *set) {
         }
         cuts->cut[box].begin = begin;
     }
+    for (box = cuts->boxes; box-- > 0; before = cuts->cut[box].begin)
+        cuts->cut[box].count = before - cuts->cut[box].begin;
 }
 
 // Adapts cuts to a set whose axes have been permuted and, if `scaled`, whose coordinates have been scaled. A cut that
@@ -4707,30 +4768,41 @@ enum {
     PARADT__LOADED = 100
 };
 
+// What a task finds
+typedef struct paradt__reader {
+    size_t bad;          // index of the first point that is not finite; SIZE_MAX: none
+    size_t repeating;    // points that are not the first at their place
+    paradt__space space; // its points, measured
+} paradt__reader;
+
 typedef struct paradt__loader {
     const paradt__team *team;
     const paradt__source *source;
     paradt__set *set;
-    paradt_index *representative;         // [points.count] by index
-    paradt__cuts *cuts;                   // NULL: there is one box
-    size_t bad[PARADT__MOST_TASKS];       // by task: index of the first point that is not finite; SIZE_MAX: none
-    size_t repeating[PARADT__MOST_TASKS]; // by task: points that are not the first at their place
-    paradt__space space[PARADT__MOST_TASKS];
-    double *sample;         // [sampled][dim] points that tell how all are spread, in memory of the records
-    size_t sampled;         // 0 to PARADT__CUT_SAMPLED
-    paradt__keyed *keyed;   // [points.count]
-    paradt__keyed *scratch; // [points.count] the sort's scratch buffer, in memory of the records
-    size_t *next;           // [tasks][2^first_bits] by first digit: where the task's next such point goes
-    int first_bits;         // bits of a key's first digit, at most
-    int shift;              // bits of a key below its first digit, which has the box's number, if there are boxes
-    size_t digits;          // values that the first digit may have
+    paradt_index *representative; // [points.count] by index
+    paradt__cuts *cuts;           // NULL: there is one box
+    paradt__reader *reader;       // [tasks]
+    double *sample;               // [sampled][dim] points that tell how all are spread, in memory of the records
+    size_t sampled;               // 0 to PARADT__CUT_SAMPLED
+    paradt__keyed *keyed;         // [points.count]
+    paradt__keyed *scratch;       // [points.count] the sort's scratch buffer, in memory of the records
+    size_t *next;   // [tasks + 1][2^first_bits] by first digit: where the task's next such point goes; and, after
+                    // those of the tasks, where the digit ends
+    int first_bits; // bits of a key's first digit, at most
+    int shift;      // bits of a key below its first digit, which has the box's number, if there are boxes
+    size_t digits;  // values that the first digit may have
+    size_t *rank;   // [boxes] if they are read apart: number of points in boxes before
+    int repeats;    // some points are not the first at their place
+    paradt__memory *memory;
     paradt__lattice lattice;
     paradt__hilbert hilbert;
 } paradt__loader;
 
 static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const paradt__source *source,
-                                 paradt__cuts *cuts, const paradt__team *team, paradt_index *representative) {
+                                 paradt__cuts *cuts, const paradt__team *team, paradt__memory *memory,
+                                 paradt_index *representative) {
     memset(loader, 0, offsetof(paradt__loader, hilbert));
+    loader->memory = memory;
     loader->set = set;
     loader->source = source;
     loader->cuts = cuts && cuts->boxes > 1 ? cuts : NULL;
@@ -4744,13 +4816,17 @@ static void paradt__loader_begin(paradt__loader *loader, paradt__set *set, const
 // Allocates the arrays of the set and the loader, and the cuts; paradt__loader_free, paradt__set_free and the owner of
 // the cuts free them. Until it is filled, the record array holds the sample and then is the sort's scratch buffer, so
 // its pages are touched only once.
-static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__memory *memory) {
+static paradt_status paradt__loader_allocate(paradt__loader *loader) {
+    paradt__memory *memory = loader->memory;
     paradt__set *set = loader->set;
     size_t count = loader->source->points.count;
     loader->first_bits = paradt__min(paradt__bit_length(count), PARADT__MOST_FIRST_BITS) + (loader->cuts != NULL);
+    if (loader->cuts) loader->first_bits = paradt__max(loader->first_bits, paradt__bit_length(loader->cuts->boxes - 1));
     set->capacity = count + loader->source->reserve;
     loader->keyed = (paradt__keyed *)paradt__alloc(memory, count, sizeof *loader->keyed);
-    loader->next = (size_t *)paradt__alloc(memory, loader->team->tasks << loader->first_bits, sizeof *loader->next);
+    loader->reader = (paradt__reader *)paradt__alloc(memory, loader->team->tasks, sizeof *loader->reader);
+    loader->next =
+        (size_t *)paradt__alloc(memory, (loader->team->tasks + 1) << loader->first_bits, sizeof *loader->next);
     set->records = (double *)paradt__alloc(memory, set->capacity, set->width * sizeof(double));
     set->origin = (paradt_index *)paradt__alloc(memory, set->capacity, sizeof *set->origin);
     loader->sample = set->records;
@@ -4762,18 +4838,23 @@ static paradt_status paradt__loader_allocate(paradt__loader *loader, paradt__mem
         loader->cuts->cut = (paradt__cut *)paradt__alloc(memory, loader->cuts->boxes, sizeof *loader->cuts->cut);
         if (!loader->cuts->cut) return PARADT_ERROR_MEMORY;
     }
-    if (!loader->keyed || !loader->next || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
+    if (!loader->keyed || !loader->reader || !loader->next || !set->records || !set->origin) return PARADT_ERROR_MEMORY;
     // A record takes at least two doubles, as much as a key with its item. In the middle, so that each of two tasks
     // that fill the records has as many new pages to touch.
     loader->scratch = (paradt__keyed *)(void *)(set->records + (set->capacity * set->width - 2 * count) / 2);
     return PARADT_OK;
 }
 
-static void paradt__loader_free(paradt__loader *loader, paradt__memory *memory) {
+static void paradt__loader_free(paradt__loader *loader) {
+    paradt__memory *memory = loader->memory;
     paradt__release(memory, loader->keyed);
+    paradt__release(memory, loader->reader);
     paradt__release(memory, loader->next);
+    paradt__release(memory, loader->rank);
     loader->keyed = NULL;
+    loader->reader = NULL;
     loader->next = NULL;
+    loader->rank = NULL;
 }
 
 // Divides `count` elements between the tasks of a team: those of `task` are [*begin, the result).
@@ -4793,7 +4874,7 @@ static int paradt__loader_cancels(const paradt__loader *loader, size_t task, int
 // Reads the points [index, end) for a task.
 PARADT__INLINE void paradt__survey_points(paradt__loader *loader, size_t task, size_t index, size_t end, int dim) {
     paradt__source source = *loader->source; // copies, that no store through a pointer can change
-    paradt__space space = loader->space[task];
+    paradt__space space = loader->reader[task].space;
     double record[PARADT_MAX_DIM + 1];
     source.points.dim = space.ambient = dim;
     for (; index < end; index++) {
@@ -4802,7 +4883,7 @@ PARADT__INLINE void paradt__survey_points(paradt__loader *loader, size_t task, s
         paradt__space_add(&space, record);
         loader->representative[index] = (paradt_index)index;
     }
-    loader->space[task] = space;
+    loader->reader[task].space = space;
 }
 
 // Returns the index of the first point from `index` on that is not finite. There is one.
@@ -4833,14 +4914,20 @@ static size_t paradt__intervals_until(const paradt__loader *loader, size_t index
 // Makes the pages of a task's part of the arrays that are filled from now on. Returns 1 when the call is to end.
 static int paradt__loader_pages(const paradt__loader *loader, size_t task) {
     enum { TOGETHER = 1 << 17 }; // points
-    size_t record = loader->set->width * sizeof(double), i, next;
+    size_t record = loader->set->width * sizeof(double), i, next, from, to;
+    // positions, if there are gaps between them, go further than points
+    double spread = loader->cuts && loader->cuts->apart
+                        ? (double)loader->set->capacity / (double)loader->source->points.count
+                        : 1.0;
     size_t end = paradt__loader_range(loader->team, loader->source->points.count, task, &i);
     for (; i < end; i = next) {
         if (paradt__loader_cancels(loader, task, PARADT__SURVEY, PARADT__KEYS, 0, 1)) return 1;
         next = end - i < 2 * TOGETHER ? end : i + TOGETHER;
         paradt__make_pages(loader->keyed, i * sizeof *loader->keyed, next * sizeof *loader->keyed);
-        paradt__make_pages(loader->set->records, i * record, next * record);
-        paradt__make_pages(loader->set->origin, i * sizeof(paradt_index), next * sizeof(paradt_index));
+        from = (size_t)((double)i * spread);
+        to = (size_t)((double)next * spread);
+        paradt__make_pages(loader->set->records, from * record, to * record);
+        paradt__make_pages(loader->set->origin, from * sizeof(paradt_index), to * sizeof(paradt_index));
         paradt__make_pages(loader->representative, i * sizeof(paradt_index), next * sizeof(paradt_index));
     }
     return 0;
@@ -4852,15 +4939,16 @@ static void paradt__survey_task(void *context, size_t task) {
     paradt__loader *loader = (paradt__loader *)context;
     int dim = loader->source->points.dim;
     size_t i, next, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), first = i;
-    loader->space[task] = loader->set->space;
-    loader->bad[task] = SIZE_MAX;
+    loader->reader[task].space = loader->set->space;
+    loader->reader[task].bad = SIZE_MAX;
     if (paradt__loader_pages(loader, task)) return;
-    for (; i < end && loader->bad[task] == SIZE_MAX; i = next) {
+    for (; i < end && loader->reader[task].bad == SIZE_MAX; i = next) {
         if (paradt__loader_cancels(loader, task, PARADT__SURVEY, PARADT__KEYS, i - first, end - first)) return;
         next = end - i < TOGETHER ? end : i + TOGETHER;
         if (PARADT_MAX_DIM > 2 && dim == 3) paradt__survey_points(loader, task, i, next, 3);
         else paradt__survey_points(loader, task, i, next, dim);
-        if (!paradt__space_is_finite(&loader->space[task])) loader->bad[task] = paradt__first_bad(loader->source, i);
+        if (!paradt__space_is_finite(&loader->reader[task].space))
+            loader->reader[task].bad = paradt__first_bad(loader->source, i);
         paradt__sample(loader, paradt__intervals_until(loader, i), paradt__intervals_until(loader, next));
     }
 }
@@ -4872,11 +4960,11 @@ static paradt_status paradt__loader_survey(paradt__loader *loader, size_t *bad) 
     paradt__team_run(loader->team, paradt__survey_task, loader);
     if (paradt__team_cancelled(loader->team)) return PARADT_ERROR_CANCELLED;
     for (task = 0; task < loader->team->tasks; task++) {
-        if (loader->bad[task] == SIZE_MAX) continue;
-        *bad = loader->bad[task];
+        if (loader->reader[task].bad == SIZE_MAX) continue;
+        *bad = loader->reader[task].bad;
         return PARADT_ERROR_NOT_FINITE;
     }
-    for (task = 0; task < loader->team->tasks; task++) paradt__space_join(&set->space, &loader->space[task]);
+    for (task = 0; task < loader->team->tasks; task++) paradt__space_join(&set->space, &loader->reader[task].space);
     set->exponent = paradt__max(set->space.coordinates.top + 1022, 0);
     return PARADT_OK;
 }
@@ -5107,17 +5195,28 @@ static void paradt__key_task(void *context, size_t task) {
     else paradt__make_keys(loader, task, loader->lattice.dim);
 }
 
-// Makes places of the tasks' counts: those of a digit follow each other, task by task.
+// Makes places of the tasks' counts: those of a digit follow each other, task by task; and notes where each digit ends.
 static void paradt__place_digits(const paradt__loader *loader) {
-    size_t digit, task, before = 0;
+    size_t *ends = paradt__loader_next(loader, loader->team->tasks), digit, task, before = 0;
+    memset(ends, 0, loader->digits * sizeof *ends);
+    for (task = 0; task < loader->team->tasks; task++) {
+        const size_t *count = paradt__loader_next(loader, task);
+        for (digit = 0; digit < loader->digits; digit++) ends[digit] += count[digit];
+    }
     for (digit = 0; digit < loader->digits; digit++) {
-        for (task = 0; task < loader->team->tasks; task++) {
-            size_t *next = paradt__loader_next(loader, task) + digit, count = *next;
-            *next = before;
-            before += count;
-        }
+        size_t count = ends[digit];
+        ends[digit] = before;
+        before += count;
     }
     PARADT_ASSERT(before == loader->source->points.count);
+    for (task = 0; task < loader->team->tasks; task++) {
+        size_t *next = paradt__loader_next(loader, task);
+        for (digit = 0; digit < loader->digits; digit++) {
+            size_t count = next[digit];
+            next[digit] = ends[digit];
+            ends[digit] += count;
+        }
+    }
 }
 
 // Scatters the keys of a task by their first digits, into the scratch buffer.
@@ -5137,15 +5236,16 @@ static void paradt__scatter_task(void *context, size_t task) {
     }
 }
 
-// Sorts the points with the first digits that end in the task's range.
+// Sorts the points with the first digits whose middle is in the task's range: those of a box, where the tasks are as
+// many as boxes.
 static void paradt__sort_task(void *context, size_t task) {
     paradt__loader *loader = (paradt__loader *)context;
-    const size_t *ends = paradt__loader_next(loader, loader->team->tasks - 1); // after scattering: of all tasks
+    const size_t *ends = paradt__loader_next(loader, loader->team->tasks);
     size_t first, last = paradt__loader_range(loader->team, loader->source->points.count, task, &first), begin = 0,
                   digit;
     for (digit = 0; digit < loader->digits; begin = ends[digit++]) {
-        size_t count = ends[digit] - begin;
-        if (!count || ends[digit] <= first || ends[digit] > last) continue;
+        size_t count = ends[digit] - begin, middle = begin + count / 2;
+        if (!count || middle < first || middle >= last) continue;
         if (paradt__loader_cancels(loader, task, PARADT__SORT, PARADT__GATHER, ends[digit] - first, last - first))
             return;
         paradt__keyed_sort(loader->scratch + begin, loader->keyed + begin, count, loader->shift, 1);
@@ -5176,59 +5276,143 @@ static paradt_status paradt__loader_sort(paradt__loader *loader) {
 
 // --- records
 
-// Reads the records of a task's positions, and counts those that repeat the one before.
-static void paradt__gather_task(void *context, size_t task) {
-    enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
-    paradt__loader *loader = (paradt__loader *)context;
-    paradt__set *set = loader->set;
-    size_t i, end = paradt__loader_range(loader->team, loader->source->points.count, task, &i), repeating = 0,
-              first = i;
-    for (; i < end; i++) {
-        size_t soon = i + AHEAD < end ? i + AHEAD : i;
-        if (i % PARADT__PACE == 0 &&
-            paradt__loader_cancels(loader, task, PARADT__GATHER, PARADT__LOADED, i - first, end - first))
-            return;
-        PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
-        paradt__fetch_point(&loader->source->points, (size_t)loader->keyed[soon].item);
-        paradt__read_record(loader->source, (size_t)loader->keyed[i].item, set->records + i * set->width);
-        set->origin[i] = loader->keyed[i].item;
-        repeating += (size_t)loader->keyed[i].key;
+// Sets the begin of the box to the rank of its first point among the sorted ones, and counts its points.
+static void paradt__loader_count_boxes(const paradt__loader *loader) {
+    const size_t *ends = paradt__loader_next(loader, loader->team->tasks);
+    size_t box, digits = loader->digits >> paradt__bit_length(loader->cuts->boxes - 1), before = 0;
+    PARADT_ASSERT(digits > 0);
+    for (box = 0; box < loader->cuts->boxes; box++) {
+        paradt__cut *cut = loader->cuts->cut + box;
+        cut->begin = before;
+        cut->count = ends[(box + 1) * digits - 1] - before;
+        before += cut->count;
     }
-    loader->repeating[task] = repeating;
+    PARADT_ASSERT(before == loader->source->points.count);
 }
 
-// Keeps one record of equal points. representative[index] becomes the index of the point that stands for the point:
-// the smallest, with weights that of the largest weight. Equal points are neighbours, in the order of their indices.
-static void paradt__loader_merge(paradt__loader *loader) {
+// A task's part of the sorted points, and where their records go. *first: rank of the first; returns that of the last,
+// plus one. Of as many tasks as boxes each has a box.
+static size_t paradt__gather_range(const paradt__loader *loader, size_t task, size_t *first) {
+    const paradt__cuts *cuts = loader->cuts;
+    if (!cuts || !cuts->apart || loader->team->tasks != cuts->boxes)
+        return paradt__loader_range(loader->team, loader->source->points.count, task, first);
+    *first = loader->rank[task];
+    return *first + cuts->cut[task].count;
+}
+
+// Reads the records of the sorted points [i, end), which go to positions from `to` on. Returns how many of them repeat
+// the one before.
+PARADT__INLINE size_t paradt__gather_points(paradt__loader *loader, size_t i, size_t end, size_t to) {
+    enum { AHEAD = PARADT__POINTS_AHEAD / 2 };
     paradt__set *set = loader->set;
-    size_t kept = 0, i, width = set->width, ambient = (size_t)set->space.ambient;
-    for (i = 0; i < set->count; i++) {
-        const double *record = set->records + i * width;
-        if (!loader->keyed[i].key) {
-            if (kept < i) memcpy(set->records + kept * width, record, width * sizeof *record);
-            set->origin[kept++] = loader->keyed[i].item;
-        } else if (set->space.weighted) {
-            double *weight = set->records + (kept - 1) * width + ambient;
-            if (paradt__ordered_bits(record[ambient]) > paradt__ordered_bits(*weight)) {
-                *weight = record[ambient];
-                set->origin[kept - 1] = loader->keyed[i].item;
-            }
-        }
-        loader->representative[loader->keyed[i].item] = (paradt_index)(kept - 1);
+    size_t repeating = 0;
+    for (; i < end; i++, to++) {
+        size_t soon = i + AHEAD < end ? i + AHEAD : i;
+        PARADT__FETCH(loader->keyed, i + PARADT__POINTS_AHEAD);
+        paradt__fetch_point(&loader->source->points, (size_t)loader->keyed[soon].item);
+        paradt__read_record(loader->source, (size_t)loader->keyed[i].item, set->records + to * set->width);
+        set->origin[to] = loader->keyed[i].item;
+        repeating += (size_t)loader->keyed[i].key;
     }
-    for (i = 0; i < set->count; i++) loader->representative[i] = set->origin[loader->representative[i]];
-    set->count = kept;
+    return repeating;
+}
+
+// Reads a task's records, and counts those that repeat the one before.
+static void paradt__gather_task(void *context, size_t task) {
+    paradt__loader *loader = (paradt__loader *)context;
+    const paradt__cuts *cuts = loader->cuts && loader->cuts->apart ? loader->cuts : NULL;
+    size_t first, end = paradt__gather_range(loader, task, &first), i = first, box = 0, repeating = 0;
+    while (i < end) {
+        size_t next = end - i < PARADT__PACE ? end : i + PARADT__PACE, to = i;
+        if (paradt__loader_cancels(loader, task, PARADT__GATHER, PARADT__LOADED, i - first, end - first)) return;
+        if (cuts) {
+            while (i >= loader->rank[box] + cuts->cut[box].count) box++;
+            to = cuts->cut[box].begin + i - loader->rank[box];
+            if (next > loader->rank[box] + cuts->cut[box].count) next = loader->rank[box] + cuts->cut[box].count;
+        }
+        repeating += paradt__gather_points(loader, i, next, to);
+        i = next;
+    }
+    loader->reader[task].repeating = repeating;
+}
+
+// Keeps one record of equal points, which are neighbours, in the order of their indices: of the sorted points [i, end),
+// whose records are at positions from `to` on. representative[index] becomes the index of the point that stands for the
+// point: the smallest, with weights that of the largest weight. Returns the number of records kept.
+static size_t paradt__loader_merge(paradt__loader *loader, size_t i, size_t end, size_t to) {
+    paradt__set *set = loader->set;
+    const paradt__keyed *keyed = loader->keyed;
+    size_t width = set->width, ambient = (size_t)set->space.ambient, begin = to, from = to, next, j;
+    for (; i < end; i = next, to++) {
+        const double *best = set->records + from * width;
+        paradt_index origin = keyed[i].item;
+        for (next = i + 1; next < end && keyed[next].key; next++) {
+            const double *record = set->records + (from + next - i) * width;
+            if (!set->space.weighted || paradt__ordered_bits(record[ambient]) <= paradt__ordered_bits(best[ambient]))
+                continue;
+            best = record;
+            origin = keyed[next].item;
+        }
+        for (j = i; j < next && next - i > 1; j++) loader->representative[keyed[j].item] = origin;
+        if (best != set->records + to * width) memcpy(set->records + to * width, best, width * sizeof *best);
+        set->origin[to] = origin;
+        from += next - i;
+    }
+    return to - begin;
+}
+
+// Ends a box that is read apart: merges its points, if some repeat others, and fills the gap behind them.
+static void paradt__box_task(void *context, size_t box) {
+    paradt__loader *loader = (paradt__loader *)context;
+    paradt__cut *cut = loader->cuts->cut + box;
+    size_t i = loader->rank[box], end = i + cut->count;
+    if (loader->repeats) cut->count = paradt__loader_merge(loader, i, end, cut->begin);
+    paradt__cuts_fill_gap(loader->cuts, loader->set, box);
+    if (loader->team->tasks > 1)
+        paradt__drop_pages(loader->memory, loader->keyed, i * sizeof *loader->keyed, end * sizeof *loader->keyed);
+}
+
+// Ends the boxes: each with its points together, and behind them the gap for others'.
+static void paradt__end_boxes(paradt__loader *loader) {
+    paradt__team boxes = *loader->team;
+    size_t box;
+    if (boxes.tasks > 1) {
+        boxes.tasks = loader->cuts->boxes;
+        paradt__team_run(&boxes, paradt__box_task, loader);
+    } else {
+        for (box = 0; box < loader->cuts->boxes; box++) paradt__box_task(loader, box);
+    }
+    for (box = 0, loader->set->count = 0; box < loader->cuts->boxes; box++)
+        loader->set->count += loader->cuts->cut[box].count;
+}
+
+// Decides where the boxes are, if they are read apart. There is memory for all positions.
+static paradt_status paradt__place_boxes(paradt__loader *loader) {
+    paradt__cuts *cuts = loader->cuts;
+    size_t capacity = loader->set->capacity, box;
+    loader->rank = (size_t *)paradt__alloc(loader->memory, cuts->boxes, sizeof *loader->rank);
+    if (!loader->rank) return PARADT_ERROR_MEMORY;
+    paradt__loader_count_boxes(loader);
+    for (box = 0; box < cuts->boxes; box++) loader->rank[box] = cuts->cut[box].begin;
+    if (capacity > (size_t)PARADT__NOWHERE) capacity = (size_t)PARADT__NOWHERE;
+    paradt__cuts_place(cuts, capacity, loader->source->points.dim);
+    return PARADT_OK;
 }
 
 // Makes the records of the sorted points, one a place, and notes where the boxes begin.
 static paradt_status paradt__loader_gather(paradt__loader *loader) {
     size_t repeating = 0, task;
+    int apart = loader->cuts && loader->cuts->apart;
+    paradt_status status = apart ? paradt__place_boxes(loader) : PARADT_OK;
     loader->set->count = loader->source->points.count;
+    if (status) return status;
     paradt__team_run(loader->team, paradt__gather_task, loader);
     if (paradt__team_cancelled(loader->team)) return PARADT_ERROR_CANCELLED;
-    for (task = 0; task < loader->team->tasks; task++) repeating += loader->repeating[task];
-    if (repeating) paradt__loader_merge(loader);
-    if (loader->cuts) paradt__cuts_mark(loader->cuts, loader->set);
+    for (task = 0; task < loader->team->tasks; task++) repeating += loader->reader[task].repeating;
+    loader->repeats = repeating > 0;
+    if (apart) paradt__end_boxes(loader);
+    else if (repeating) loader->set->count = paradt__loader_merge(loader, 0, loader->set->count, 0);
+    if (loader->cuts && !apart) paradt__cuts_mark(loader->cuts, loader->set);
     return PARADT_OK;
 }
 
@@ -5242,15 +5426,15 @@ PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt
     paradt__loader loader;
     paradt_status status;
     PARADT_ASSERT(!set->records && !set->origin && source->points.dim >= 2);
-    paradt__loader_begin(&loader, set, source, cuts, team, representative);
-    status = paradt__loader_allocate(&loader, memory);
+    paradt__loader_begin(&loader, set, source, cuts, team, memory, representative);
+    status = paradt__loader_allocate(&loader);
     if (!status) status = paradt__loader_survey(&loader, bad);
     if (!status) {
         if (loader.cuts) paradt__loader_cut(&loader);
         status = paradt__loader_sort(&loader);
     }
     if (!status) status = paradt__loader_gather(&loader);
-    paradt__loader_free(&loader, memory);
+    paradt__loader_free(&loader);
     return status;
 }
 
@@ -5264,45 +5448,81 @@ PARADT__NOINLINE paradt_status paradt__set_gather(paradt__set *set, const paradt
 // Doors: paradt__set_load; paradt__set_scale, paradt__set_permute, paradt__set_measure, paradt__set_measured for sets
 // that are parts of one.
 
+typedef struct paradt__scaling {
+    paradt__set *set;
+    const paradt__team *team;
+    paradt__meter *meter;
+    int shift; // of the exponents
+    int apply; // 1: scale; 0: only find out whether that is exact
+    int inexact;
+} paradt__scaling;
+
+static void paradt__scale_task(void *context, size_t task) {
+    paradt__scaling *scaling = (paradt__scaling *)context;
+    const paradt__set *set = scaling->set;
+    int axis, ambient = set->space.ambient, shift = scaling->shift, exact = 1;
+    size_t i, end = paradt__loader_range(scaling->team, set->count, task, &i);
+    for (; i < end && exact; i++) {
+        double *record = set->records + i * set->width;
+        if (i % PARADT__PACE == 0 && scaling->meter && paradt__meter_cancels(scaling->meter)) exact = 0;
+        for (axis = 0; axis < (int)set->width; axis++) {
+            double scaled = paradt__scale(record[axis], axis < ambient ? shift : 2 * shift, &exact);
+            if (scaling->apply) record[axis] = scaled;
+        }
+    }
+    if (!exact) PARADT__ATOMIC_SET(&scaling->inexact, 1);
+}
+
 // Brings the largest coordinate near 1, if no bit of any coordinate or weight is lost by that: T(P) does not change,
 // and sets far from 1 get the floating-point filter. Weights are squares of lengths. Returns whether it has. meter:
 // NULL, or asked now and then; when it cancels, the set is left unfinished.
-static int paradt__set_scale(paradt__set *set, paradt__meter *meter) {
-    size_t i, pass;
-    int axis, ambient = set->space.ambient, shift = 1023 - set->exponent, exact = 1;
-    if (shift >= -32 && shift <= 32) return 0;
-    for (pass = 0; pass < 2 && exact; pass++) {
-        for (i = 0; i < set->count && exact; i++) {
-            double *record = set->records + i * set->width;
-            if (i % PARADT__PACE == 0 && meter && paradt__meter_cancels(meter)) return 0;
-            for (axis = 0; axis < (int)set->width; axis++) {
-                double scaled = paradt__scale(record[axis], axis < ambient ? shift : 2 * shift, &exact);
-                if (pass) record[axis] = scaled;
-            }
-        }
-    }
-    return exact;
+static int paradt__set_scale(paradt__set *set, const paradt__team *team, paradt__meter *meter) {
+    paradt__scaling scaling;
+    scaling.set = set;
+    scaling.team = team;
+    scaling.meter = meter;
+    scaling.shift = 1023 - set->exponent;
+    scaling.inexact = 0;
+    if (scaling.shift >= -32 && scaling.shift <= 32) return 0;
+    for (scaling.apply = 0; scaling.apply < 2 && !scaling.inexact; scaling.apply++)
+        paradt__team_run(team, paradt__scale_task, &scaling);
+    return !scaling.inexact;
 }
 
-// Permutes the coordinates of all records: set->axes[j], of the axes that they are along, comes to place j. Returns 0
-// if that changes nothing.
-static int paradt__set_permute(paradt__set *set) {
-    size_t i;
-    int axis, ambient = set->space.ambient, identity = 1;
-    for (axis = 0; axis < ambient; axis++) identity &= set->axes[axis] == axis;
-    if (identity) return 0;
-    for (i = 0; i < set->count; i++) {
+typedef struct paradt__permuting {
+    const paradt__set *set;
+    const paradt__team *team;
+} paradt__permuting;
+
+static void paradt__permute_task(void *context, size_t task) {
+    const paradt__permuting *permuting = (const paradt__permuting *)context;
+    const paradt__set *set = permuting->set;
+    int axis, ambient = set->space.ambient;
+    size_t i, end = paradt__loader_range(permuting->team, set->count, task, &i);
+    for (; i < end; i++) {
         double *record = set->records + i * set->width, copy[PARADT_MAX_DIM];
         for (axis = 0; axis < ambient; axis++) copy[axis] = record[set->axes[axis]];
         memcpy(record, copy, (size_t)ambient * sizeof(double));
     }
+}
+
+// Permutes the coordinates of all records: set->axes[j], of the axes that they are along, comes to place j. Returns 0
+// if that changes nothing.
+static int paradt__set_permute(const paradt__set *set, const paradt__team *team) {
+    paradt__permuting permuting;
+    int axis, ambient = set->space.ambient, identity = 1;
+    for (axis = 0; axis < ambient; axis++) identity &= set->axes[axis] == axis;
+    if (identity) return 0;
+    permuting.set = set;
+    permuting.team = team;
+    paradt__team_run(team, paradt__permute_task, &permuting);
     return 1;
 }
 
 typedef struct paradt__measuring {
     const paradt__set *set;
     const paradt__team *team;
-    paradt__space space[PARADT__MOST_TASKS];
+    paradt__space *space; // [tasks]
 } paradt__measuring;
 
 static void paradt__measure_task(void *context, size_t task) {
@@ -5313,16 +5533,17 @@ static void paradt__measure_task(void *context, size_t task) {
     for (; i < end; i++) paradt__space_add(&measuring->space[task], set->records + i * set->width);
 }
 
-// Measures the set: tells the predicates what they may rely on.
-static void paradt__set_measure(paradt__set *set, const paradt__team *team, int dim) {
+// Measures the set: tells the predicates what they may rely on. spaces: [team->tasks] scratch
+static void paradt__set_measure(paradt__set *set, const paradt__team *team, paradt__space *spaces, int dim) {
     paradt__space *space = &set->space;
     paradt__measuring measuring;
     size_t task;
     measuring.set = set;
     measuring.team = team;
+    measuring.space = spaces;
     paradt__space_begin(space, dim, space->ambient, space->weighted);
     paradt__team_run(team, paradt__measure_task, &measuring);
-    for (task = 0; task < team->tasks; task++) paradt__space_join(space, &measuring.space[task]);
+    for (task = 0; task < team->tasks; task++) paradt__space_join(space, &spaces[task]);
     if (dim > 0) paradt__space_end(space);
 }
 
@@ -5341,21 +5562,32 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
                                       size_t *bad) {
     paradt__source source = paradt__source_of(points);
     paradt_index basis[PARADT_MAX_DIM + 1];
+    paradt__space *spaces = NULL;
     paradt_status status;
-    int dim, scaled, permuted;
+    size_t count;
+    int dim = -1, scaled, permuted;
     memset(set, 0, sizeof *set);
-    source.reserve = paradt__cuts_reserve(cuts, points->count);
+    source.reserve = paradt__cuts_reserve(cuts, points->count, points->dim);
     status = paradt__set_gather(set, &source, cuts, team, memory, representative, bad);
+    count = set->count;
+    if (!status) spaces = (paradt__space *)paradt__alloc(memory, team->tasks, sizeof *spaces);
+    if (!status && !spaces) status = PARADT_ERROR_MEMORY;
     if (status) return status;
-    scaled = paradt__set_scale(set, team->progress.meter);
-    if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team->progress.meter) - 1;
-    if (paradt__team_cancels(team, 0, 1.0)) return PARADT_ERROR_CANCELLED;
-    permuted = paradt__set_permute(set);
-    if (cuts) paradt__cuts_follow(cuts, set, scaled);
-    if (scaled || permuted) paradt__set_measure(set, team, dim);
-    else paradt__set_measured(set, dim);
-    return PARADT_OK;
+    if (cuts && cuts->positions) set->count = cuts->positions; // the passes to come are over all positions
+    scaled = paradt__set_scale(set, team, team->progress.meter);
+    if (paradt__team_cancels(team, 0, 1.0)) status = PARADT_ERROR_CANCELLED;
+    if (!status)
+        dim = paradt__set_basis(set, NULL, 0, basis, set->axes, &set->space.counters, team->progress.meter) - 1;
+    if (!status && paradt__team_cancels(team, 0, 1.0)) status = PARADT_ERROR_CANCELLED;
+    if (!status) {
+        permuted = paradt__set_permute(set, team);
+        if (cuts) paradt__cuts_follow(cuts, set, scaled);
+        if (scaled || permuted) paradt__set_measure(set, team, spaces, dim);
+        else paradt__set_measured(set, dim);
+    }
+    paradt__release(memory, spaces);
+    set->count = count;
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5586,8 +5818,6 @@ PARADT__HOT paradt_status paradt__set_grade(paradt__set *set, double nearness, p
 // paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
 // paradt__list_append, paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull,
 // paradt__fetch_row, PARADT__VERIFY, PARADT__VERIFY_SMALL.
-
-#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
 
 // Links that are no handles
 enum {
@@ -6078,11 +6308,19 @@ PARADT__OPTIONAL void paradt__mesh_compact(paradt__mesh *mesh, size_t dropped, c
     mesh->spare_count = 0;
 }
 
+// Where cells are emitted to in another order than they have, links beyond the first of them jump.
+typedef struct paradt__jump {
+    paradt_index from, by; // a link, in the form that is wanted: from this one on there is more to be added to it
+} paradt__jump;
+
 // Where the rows of emitted cells go, and in what form
 typedef struct paradt__rows {
     paradt_index *vertices, *links;
-    paradt_index offset; // what is added to a link for the cells before these
-    int divisor, shift;  // a handle divided by that, or with four corners shifted, is the link that is wanted
+    size_t move;               // what is added to a cell's place for its row, and may wrap
+    paradt_index offset;       // what is added to a link for the cells before these
+    int divisor, shift;        // a handle divided by that, or with four corners shifted, is the link that is wanted
+    const paradt__jump *jumps; // [jump_count]
+    size_t jump_count;
 } paradt__rows;
 
 // Rows for cells of the mesh from number `first` on. facets: links remain half-facets; else they become the numbers of
@@ -6092,35 +6330,46 @@ static paradt__rows paradt__mesh_rows(int corners, int facets, paradt_index *ver
     paradt__rows to;
     to.vertices = vertices;
     to.links = links;
+    to.move = 0;
     to.offset = (paradt_index)(facets ? first * (size_t)corners : first);
     to.divisor = facets ? 1 : corners;
     to.shift = facets ? 0 : 2;
+    to.jumps = NULL;
+    to.jump_count = 0;
     return to;
 }
 
-// Writes the cell at a place into the same row of `to`, its vertices translated (origin NULL: they are left as they
-// are, which takes that `to` is the mesh itself). Returns whether a facet of it has no mirror.
+// Writes the cell at a place into its row of `to`, its vertices translated (origin NULL: they are left as they are,
+// which takes that `to` is the mesh itself). Returns whether a facet of it has no mirror.
 PARADT__INLINE int paradt__mesh_emit_row(const paradt__mesh *mesh, size_t place, size_t corners,
                                          const paradt_index *origin, const paradt__rows *to) {
     const paradt_index *vertices = mesh->vertices + place * corners, *links = mesh->links + place * corners;
-    paradt_index *new_vertices = to->vertices + place * corners, *new_links = to->links + place * corners, any = 0;
-    size_t j;
+    paradt_index *new_vertices = to->vertices + (place + to->move) * corners, any = 0;
+    paradt_index *new_links = to->links + (place + to->move) * corners;
+    size_t j, k;
     paradt__fetch_row(mesh->vertices, mesh->links, place + PARADT__ROWS_AHEAD, corners);
 #if PARADT__FOUR_AT_ONCE
     if (corners == 4) {
         __m128i handles = _mm_loadu_si128((const __m128i *)(const void *)links), bare = _mm_srai_epi32(handles, 31);
-        __m128i mirrors = _mm_srl_epi32(handles, _mm_cvtsi32_si128(to->shift));
-        mirrors = _mm_add_epi32(mirrors, _mm_set1_epi32(to->offset));
+        __m128i own = _mm_srl_epi32(handles, _mm_cvtsi32_si128(to->shift));
+        __m128i mirrors = _mm_add_epi32(own, _mm_set1_epi32(to->offset));
+        for (k = 0; k < to->jump_count; k++) {
+            __m128i beyond = _mm_cmpgt_epi32(own, _mm_set1_epi32(to->jumps[k].from - 1));
+            mirrors = _mm_add_epi32(mirrors, _mm_and_si128(beyond, _mm_set1_epi32(to->jumps[k].by)));
+        }
         any = -_mm_movemask_ps(_mm_castsi128_ps(handles));
         _mm_storeu_si128((__m128i *)(void *)new_links,
                          _mm_or_si128(_mm_and_si128(bare, handles), _mm_andnot_si128(bare, mirrors)));
     } else
 #endif
         for (j = 0; j < corners; j++) {
-            paradt_index handle = links[j];
+            paradt_index handle = links[j], own, mirror;
             any |= handle;
-            new_links[j] =
-                handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)to->divisor) + to->offset;
+            own = handle < 0 ? handle : (paradt_index)((paradt__tag)handle / (paradt__tag)to->divisor);
+            mirror = handle < 0 ? handle : own + to->offset;
+            for (k = 0; k < to->jump_count && handle >= 0; k++)
+                mirror += own >= to->jumps[k].from ? to->jumps[k].by : 0;
+            new_links[j] = mirror;
         }
     for (j = 0; origin && j < corners; j++) new_vertices[j] = origin[vertices[j]];
     return any < 0;
@@ -6153,19 +6402,6 @@ PARADT__HOT uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *
                                         paradt__meter *meter) {
     if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, meter, 4);
     return paradt__mesh_close_any(mesh, origin, facets, meter, (size_t)mesh->corners);
-}
-
-// The first place from `place` on of a ghost, or of a cell with a vertex that is not in [0, own); mesh->count if there
-// is none.
-PARADT__INLINE size_t paradt__mesh_fringe_from(const paradt__mesh *mesh, size_t corners, paradt_index own,
-                                               size_t place) {
-    for (; place < mesh->count; place++) {
-        const paradt_index *vertices = mesh->vertices + place * corners;
-        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
-        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
-        if (vertices[0] != PARADT__DEAD) break;
-    }
-    return place;
 }
 
 // Appends the cells from `first` on of another mesh, which has no free places. Their links to cells before these are
@@ -14389,11 +14625,23 @@ PARADT__INLINE paradt_status paradt__fringe_add(paradt__list *fringe, paradt__me
                                                                   : PARADT_OK;
 }
 
+// The first place from `place` on of a ghost, or of a cell with a vertex that is not in [0, own); mesh->count if there
+// is none.
+PARADT__INLINE size_t paradt__fringe_from(const paradt__mesh *mesh, size_t corners, paradt_index own, size_t place) {
+    for (; place < mesh->count; place++) {
+        const paradt_index *vertices = mesh->vertices + place * corners;
+        PARADT__FETCH(vertices, 4 * PARADT__ROWS_AHEAD * corners);
+        if (PARADT__LIKELY(paradt__vertices_among(vertices, (int)corners, 0, own))) continue;
+        if (vertices[0] != PARADT__DEAD) break;
+    }
+    return place;
+}
+
 // Finds the first place of the fringe from *place on and adds it. On return *place is that place, or mesh->count if
 // there is none. corners: the mesh's; inlined with a constant
 PARADT__INLINE paradt_status paradt__fringe_add_next(paradt__list *fringe, paradt__mesh *mesh, size_t corners,
                                                      paradt_index own, size_t *place, paradt__memory *memory) {
-    *place = paradt__mesh_fringe_from(mesh, corners, own, *place);
+    *place = paradt__fringe_from(mesh, corners, own, *place);
     return *place < mesh->count ? paradt__fringe_add(fringe, mesh, (paradt_index)*place, memory) : PARADT_OK;
 }
 
@@ -14522,7 +14770,8 @@ typedef struct paradt__patch {
     paradt_index *origin;       // the caller's indices of all points, or -1 for the points of later regions:
     paradt_index *origin_block; // in this block, or, if it is NULL, in the field's part of set.origin
     size_t dropped;             // cells and ghosts that are not delivered
-    paradt__list open;          // facets delivered without a mirror, numbered as in the result
+    paradt__list *open;         // [open_parts] facets delivered without a mirror, numbered as in the result, by parts
+    size_t open_parts;          // of their hashes; 0: they are not listed
     size_t cells_built;         // cells of the triangulation, of which the mesh has the owned ones in the end
     uint64_t hull_facets;       // of the hull of T(P), whose ghosts the region owns
 } paradt__patch;
@@ -14585,13 +14834,21 @@ static void paradt__patch_rest(paradt__patch *patch) {
     patch->a_cell = NULL;
 }
 
+static void paradt__patch_free_open(paradt__patch *patch) {
+    size_t part;
+    for (part = 0; part < patch->open_parts; part++) paradt__list_free(patch->open + part, patch->memory);
+    paradt__release(patch->memory, patch->open);
+    patch->open = NULL;
+    patch->open_parts = 0;
+}
+
 // Frees all that the patch has, its mesh included.
 static void paradt__patch_end(paradt__patch *patch) {
     paradt__patch_rest(patch);
     paradt__list_free(&patch->margin, patch->memory);
     paradt__list_free(&patch->wrong, patch->memory);
     paradt__list_free(&patch->fringe, patch->memory);
-    paradt__list_free(&patch->open, patch->memory);
+    paradt__patch_free_open(patch);
     paradt__insertion_end(&patch->build);
     paradt__release(patch->memory, patch->others);
     paradt__release(patch->memory, patch->origin_block);
@@ -14844,11 +15101,16 @@ PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, s
 
 // Begins asking. Listing the suspects takes as long as inserting some points, while the other regions go on.
 static paradt_status paradt__patch_begin_asking(paradt__patch *patch) {
-    enum { CELLS_A_POINT = 400 };
+    enum { CELLS_A_POINT = 400, FRINGE_A_POINT = 11 /* of others: most uniform sets have less */ };
     const paradt__mesh *mesh = &patch->build.scene.mesh;
+    size_t others = patch->build.count - patch->own->set.count;
+    paradt_status status;
     PARADT__VERIFY(mesh, 1, PARADT__CONFLICT);
     patch->is_asking = 1;
     if (patch->own_points_only) return PARADT_OK;
+    status =
+        paradt__list_room(&patch->fringe.items, 0, &patch->fringe.capacity, others * FRINGE_A_POINT, patch->memory);
+    if (status) return status;
     paradt__relay_waits(patch->build.relay, mesh->count / CELLS_A_POINT);
     if (mesh->corners == 4) return paradt__patch_list_suspects(patch, 4);
     return paradt__patch_list_suspects(patch, (size_t)mesh->corners);
@@ -15377,7 +15639,7 @@ static paradt_status paradt__patch_apply_seam(paradt__patch *patch) {
 //
 // All that the region does not own is in the fringe, and of the first region in the list of wrong cells; the mesh is
 // compacted by these lists. Points of later regions get -1 for an index meanwhile: a cell with such a vertex is not the
-// region's. Doors: paradt__patch_compact, paradt__patch_emit, paradt__patch_take_all.
+// region's. Doors: paradt__patch_compact, paradt__patch_begin_open, paradt__patch_emit, paradt__patch_take_all.
 
 #define PARADT__LATER_REGION ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MIN : INT64_MIN)) // a bit of -1
 
@@ -15452,41 +15714,55 @@ static paradt_status paradt__patch_compact(paradt__patch *patch) {
     return PARADT_OK;
 }
 
-// Lists the open facets of a cell that has been emitted. first: number of the region's first cell in the result
-static paradt_status paradt__patch_list_open(paradt__patch *patch, const paradt__rows *to, size_t cell, size_t first) {
-    size_t corners = (size_t)patch->build.scene.mesh.corners, j;
+// Has the patch list its open facets, when it emits its cells, in so many parts.
+static paradt_status paradt__patch_begin_open(paradt__patch *patch, size_t parts) {
+    patch->open = (paradt__list *)paradt__alloc(patch->memory, parts, sizeof *patch->open);
+    if (!patch->open) return PARADT_ERROR_MEMORY;
+    memset(patch->open, 0, parts * sizeof *patch->open);
+    patch->open_parts = parts;
+    return PARADT_OK;
+}
+
+// Lists the open facets of a cell that has been emitted to a row. A facet and its mirror, which another patch lists,
+// are in the same part.
+static paradt_status paradt__patch_list_open(paradt__patch *patch, const paradt__rows *to, size_t row) {
+    const size_t corners = (size_t)patch->build.scene.mesh.corners;
+    const paradt_index *vertices = to->vertices + row * corners;
+    uint64_t sum = paradt__cell_sum(vertices, (int)corners);
+    size_t j;
     paradt_status status = PARADT_OK;
-    for (j = 0; j < corners && !status; j++) {
-        if (to->links[cell * corners + j] == PARADT__OPEN)
-            status = paradt__list_append(&patch->open, (paradt_index)((first + cell) * corners + j), patch->memory);
+    for (j = 0; j < corners && !status && patch->open_parts; j++) {
+        uint64_t hash = paradt__facet_hash(sum - paradt__vertex_key(vertices[j]));
+        if (to->links[row * corners + j] == PARADT__OPEN)
+            status = paradt__list_append(patch->open + (size_t)(hash * patch->open_parts >> 32),
+                                         (paradt_index)(row * corners + j), patch->memory);
     }
     return status;
 }
 
-// Writes the region's cells to `rows`, which may be where they are, or before it, with the caller's vertices, and lists
-// their open facets.
-PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *rows, size_t first,
-                                                      const paradt__progress *progress, size_t corners) {
+// Writes the region's cells [i, end) to `rows`, which may be where they are, or before it, with the caller's vertices,
+// and lists their open facets.
+PARADT__INLINE paradt_status paradt__patch_emit_cells(paradt__patch *patch, const paradt__rows *rows, size_t i,
+                                                      size_t end, const paradt__progress *progress, size_t corners) {
     const paradt__mesh mesh = patch->build.scene.mesh; // copies, which nothing that is written can change
     const paradt__rows to = *rows;
     const paradt_index *origin = patch->origin;
-    size_t i;
     paradt_status status = PARADT_OK;
-    for (i = 0; i < mesh.count; i++) {
+    for (; i < end; i++) {
         int bare;
         if (i % PARADT__PACE == PARADT__PACE - 1 && paradt__progress_cancels(progress, 1.0))
             return PARADT_ERROR_CANCELLED;
         bare = paradt__mesh_emit_row(&mesh, i, corners, origin, &to);
-        paradt__fetch_row(to.vertices, to.links, i + PARADT__ROWS_AHEAD, corners);
-        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_list_open(patch, &to, i, first);
+        paradt__fetch_row(to.vertices, to.links, i + to.move + PARADT__ROWS_AHEAD, corners);
+        if (!PARADT__LIKELY(!bare) && !status) status = paradt__patch_list_open(patch, &to, i + to.move);
     }
     return status;
 }
 
-static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t first,
+static paradt_status paradt__patch_emit(paradt__patch *patch, const paradt__rows *to, size_t begin, size_t end,
                                         const paradt__progress *progress) {
-    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, first, progress, 4);
-    return paradt__patch_emit_cells(patch, to, first, progress, (size_t)patch->build.scene.mesh.corners);
+    if (patch->build.scene.mesh.corners == 4) return paradt__patch_emit_cells(patch, to, begin, end, progress, 4);
+    return paradt__patch_emit_cells(patch, to, begin, end, progress, (size_t)patch->build.scene.mesh.corners);
 }
 
 // --- the whole set
@@ -15799,10 +16075,10 @@ enum {
 typedef struct paradt__region {
     paradt__memory memory;
     paradt_status status;
-    paradt__mesh mesh;   // by a front, or
-    paradt__patch patch; // by insertion:
-    size_t offset;       // the number of its first cell in the result
-    size_t slice;        // the first place of its slice
+    paradt__mesh mesh;    // by a front, or
+    paradt__patch patch;  // by insertion:
+    size_t slice;         // the first place of its slice
+    size_t piece, pieces; // where in work->pieces the pieces of it begin, and how many there are
     uint64_t hull_facets;
     int built;         // all its cells are there, or it waits
     int waits;         // it waits until it can learn neighbours from other regions
@@ -15844,7 +16120,7 @@ typedef struct paradt__work {
     int first_alone;                        // with insertion: the first region has its own points alone
     paradt__relay relay;                    // with insertion
     paradt__mesh slices;                    // with insertion: a slice of the rows for each region, while they fit
-    paradt__facets open_facets;             // with insertion: of regions, when they are put together
+    struct paradt__piece *pieces;           // with insertion: of the regions' cells in the result
 #endif                                      // PARADT_NO_REGIONS
     // the result
     paradt__mesh mesh;
@@ -15903,7 +16179,7 @@ static paradt__progress paradt__region_progress(paradt__work *work, size_t index
 
 // Number of the points of a region
 static size_t paradt__region_count(const paradt__work *work, size_t index) {
-    return paradt__cuts_end(&work->cuts, index, work->set.count) - (index ? work->cuts.cut[index].begin : 0);
+    return work->cuts.cut[index].count;
 }
 
 // Joins the regions' accounts to the call's, and shares what is left of the limit among them. No task runs meanwhile.
@@ -16712,54 +16988,6 @@ static void paradt__compact_task(void *context, size_t index) {
     paradt__patch_rest(patch);
 }
 
-// Are the emitted cells of a region written to the start of its slice, to be moved to their place in the result later?
-// The second region's are written to their place directly: no other task uses the gap before its slice.
-static int paradt__stays_in_slice(const paradt__work *work, size_t index) {
-    return index > 1 && work->mesh.vertices == work->slices.vertices;
-}
-
-// Ties a region's open facets whose mirrors have been seen, and enters the others into the table.
-static paradt_status paradt__join_patch(paradt__work *work, size_t index, paradt__memory *memory) {
-    const paradt__patch *patch = &work->region[index].patch;
-    paradt_status status = PARADT_OK;
-    size_t i, j, end;
-    for (i = 0; i < patch->open.count && !status; i = end) {
-        end = patch->open.count - i < PARADT__JOINED ? patch->open.count : i + PARADT__JOINED;
-        for (j = end; j < patch->open.count && j < end + PARADT__JOINED; j++) {
-            PARADT__PREFETCH(work->mesh.vertices + patch->open.items[j]);
-            PARADT__PREFETCH(work->mesh.links + patch->open.items[j]);
-        }
-        status =
-            paradt__facets_join(&work->open_facets, &work->mesh, patch->open.items + i, end - i, !work->facets, memory);
-    }
-    return status;
-}
-
-// Frees the coordinates, which no later step takes.
-static void paradt__release_records(paradt__work *work, paradt__memory *memory) {
-    paradt__release(memory, work->set.records);
-    work->set.records = NULL;
-}
-
-// Writes the cells into the result, or to the start of the region's slice. The first region's cells are at their final
-// places then, so its open facets are entered into the table.
-static void paradt__emit_task(void *context, size_t index) {
-    paradt__work *work = (paradt__work *)context;
-    paradt__region *region = work->region + index;
-    const paradt__mesh *own = &region->patch.build.scene.mesh;
-    paradt__progress progress = paradt__region_progress(work, index);
-    size_t first = region->offset * (size_t)work->mesh.corners;
-    int stays = paradt__stays_in_slice(work, index);
-    paradt__rows to =
-        paradt__mesh_rows(work->mesh.corners, work->facets, stays ? own->vertices : work->mesh.vertices + first,
-                          stays ? own->links : work->mesh.links + first, region->offset);
-    if (!index) paradt__release_records(work, &region->memory); // before others' cells need new pages
-    region->status = paradt__patch_emit(&region->patch, &to, region->offset, &progress);
-    if (index || region->status) return;
-    region->status = paradt__facets_begin(&work->open_facets, region->patch.open.count, 0, &region->memory);
-    if (!region->status) region->status = paradt__join_patch(work, 0, &region->memory);
-}
-
 // --- the relay
 //
 // The build step takes most of the time, and threads are not equally fast: processors differ, and others use them, too.
@@ -16825,33 +17053,156 @@ static paradt_status paradt__run_relay(paradt__work *work) {
 }
 
 // --- all regions together
+//
+// The slices become the result: the first cells of all slices stay, as many as there are cells in all, and those beyond
+// come into the gaps that the others leave, piece by piece. So every cell is written to its place in the result at
+// once, by the task of its region, and links are translated by steps: see paradt__jump.
 
-// Moves the emitted cells from the slices' starts to their places.
-static void paradt__close_slices(paradt__work *work) {
-    size_t corners = (size_t)work->mesh.corners, i;
+typedef struct paradt__piece {
+    size_t from, count, to; // so many cells from one on come to the result's places from another on
+} paradt__piece;
+
+static void paradt__add_piece(paradt__work *work, paradt__region *region, size_t from, size_t count, size_t to) {
+    paradt__piece *piece = work->pieces + region->piece + region->pieces;
+    if (!count) return;
+    piece->from = from;
+    piece->count = count;
+    piece->to = to;
+    region->pieces++;
+}
+
+// Where the cells of the regions come in slices that `total` of the first places of are to be the result's
+static void paradt__fill_slices(paradt__work *work, size_t total) {
+    size_t gap = 0, used = 0, i; // the slice with the current gap, and places of the gap that are filled
     for (i = 0; i < work->regions; i++) {
-        const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
-        size_t first = work->region[i].offset * corners, bytes = own->count * corners * sizeof(paradt_index);
-        if (!bytes || !paradt__stays_in_slice(work, i)) continue;
-        memmove(work->mesh.vertices + first, own->vertices, bytes);
-        memmove(work->mesh.links + first, own->links, bytes);
+        paradt__region *region = work->region + i;
+        size_t count = region->patch.build.scene.mesh.count, from = region->slice < total ? total - region->slice : 0;
+        if (i) region->piece = work->region[i - 1].piece + work->region[i - 1].pieces;
+        if (from > count) from = count;
+        paradt__add_piece(work, region, 0, from, region->slice);
+        while (from < count) {
+            size_t begin = work->region[gap].slice + work->region[gap].patch.build.scene.mesh.count + used;
+            size_t end = gap + 1 < work->regions ? work->region[gap + 1].slice : total, some;
+            if (end > total) end = total;
+            if (begin >= end) {
+                gap++;
+                used = 0;
+                PARADT_ASSERT(gap < work->regions);
+                continue;
+            }
+            some = count - from < end - begin ? count - from : end - begin;
+            paradt__add_piece(work, region, from, some, begin);
+            from += some;
+            used += some;
+        }
     }
 }
 
-// Ties the open facets that the regions have listed; those of the first region are in the table. A facet without a
-// mirror is on the hull.
-static paradt_status paradt__join_patches(paradt__work *work) {
-    size_t i, j;
+// Where the cells of the regions come in a result of its own: one region after another
+static void paradt__append_pieces(paradt__work *work) {
+    size_t i, to = 0;
+    for (i = 0; i < work->regions; i++) {
+        paradt__region *region = work->region + i;
+        if (i) region->piece = work->region[i - 1].piece + work->region[i - 1].pieces;
+        paradt__add_piece(work, region, 0, region->patch.build.scene.mesh.count, to);
+        to += region->patch.build.scene.mesh.count;
+    }
+}
+
+// Fills the jumps of the links of a region's cells, one fewer than pieces.
+static void paradt__fill_jumps(const paradt__work *work, const paradt__piece *piece, size_t pieces,
+                               paradt__jump *jumps) {
+    paradt_index unit = work->facets ? (paradt_index)work->mesh.corners : 1;
+    size_t i;
+    for (i = 0; i + 1 < pieces; i++, piece++) {
+        jumps[i].from = (paradt_index)piece[1].from * unit;
+        jumps[i].by = ((paradt_index)piece[1].to - (paradt_index)(piece[0].to + piece[0].count)) * unit;
+    }
+}
+
+enum { PARADT__MOST_PARTS = 64 }; // of open facets: tasks that tie them
+
+// Writes the cells into the result, and lists their open facets.
+static paradt_status paradt__emit_region(paradt__work *work, size_t index) {
+    paradt__region *region = work->region + index;
+    const paradt__piece *piece = work->pieces + region->piece;
+    paradt__progress progress = paradt__region_progress(work, index);
+    paradt__jump *jumps = (paradt__jump *)paradt__alloc(&region->memory, region->pieces, sizeof *jumps);
+    paradt__rows to = paradt__mesh_rows(work->mesh.corners, work->facets, work->mesh.vertices, work->mesh.links,
+                                        region->pieces ? piece->to : 0);
+    size_t parts = work->regions < PARADT__MOST_PARTS ? work->regions : (size_t)PARADT__MOST_PARTS, i;
+    paradt_status status = jumps ? paradt__patch_begin_open(&region->patch, parts) : PARADT_ERROR_MEMORY;
+    if (!status) paradt__fill_jumps(work, piece, region->pieces, jumps);
+    to.jumps = jumps;
+    to.jump_count = region->pieces ? region->pieces - 1 : 0;
+    for (i = 0; i < region->pieces && !status; i++, piece++) {
+        to.move = piece->to - piece->from;
+        status = paradt__patch_emit(&region->patch, &to, piece->from, piece->from + piece->count, &progress);
+    }
+    paradt__release(&region->memory, jumps);
+    return status;
+}
+
+// Gives back a region's part of an array of the set: by its task, since that takes time.
+static void paradt__drop_part(const paradt__work *work, size_t index, const void *array, size_t size) {
+    const paradt__field *field = work->fields + index;
+    if (array && work->options.parallel_for)
+        paradt__drop_pages(&work->memory, array, field->begin * size, (field->begin + field->capacity) * size);
+}
+
+// The task of writing a region's cells. Nobody asks any more, so the grid, the seam and the coordinates are not needed.
+static void paradt__emit_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__grid_free(&work->fields[index].grid, &region->memory);
+    paradt__mesh_free(&work->fields[index].seam, &region->memory);
+    paradt__drop_part(work, index, work->set.records, work->set.width * sizeof(double));
+    region->status = paradt__emit_region(work, index);
+    paradt__drop_part(work, index, work->set.origin, sizeof *work->set.origin);
+}
+
+// Ties the facets of a list whose mirrors are in the table, and enters the others.
+static paradt_status paradt__join_list(paradt__work *work, paradt__facets *table, const paradt__list *open,
+                                       paradt__memory *memory) {
     paradt_status status = PARADT_OK;
-    for (i = 1; i < work->regions && !status; i++) status = paradt__join_patch(work, i, &work->memory);
-    for (i = 0; i < work->regions && !status && work->open_facets.count; i++) {
-        const paradt__patch *patch = &work->region[i].patch;
-        for (j = 0; j < patch->open.count; j++) {
-            paradt_index *link = work->mesh.links + patch->open.items[j];
+    size_t i, j, end;
+    for (i = 0; i < open->count && !status; i = end) {
+        end = open->count - i < PARADT__JOINED ? open->count : i + PARADT__JOINED;
+        for (j = end; j < open->count && j < end + PARADT__JOINED; j++) {
+            PARADT__PREFETCH(work->mesh.vertices + open->items[j]);
+            PARADT__PREFETCH(work->mesh.links + open->items[j]);
+        }
+        status = paradt__facets_join(table, &work->mesh, open->items + i, end - i, !work->facets, memory);
+    }
+    return status;
+}
+
+// Ties the open facets of one part, which the regions have listed. A facet without a mirror is on the hull.
+static void paradt__join_task(void *context, size_t index) {
+    paradt__work *work = (paradt__work *)context;
+    paradt__region *region = work->region + index;
+    paradt__facets table;
+    size_t count = 0, i, j;
+    region->status = PARADT_OK;
+    if (index >= PARADT__MOST_PARTS) return;
+    for (i = 0; i < work->regions; i++) count += work->region[i].patch.open[index].count;
+    region->status = paradt__facets_begin(&table, count / 4, 0, &region->memory);
+    for (i = 0; i < work->regions && !region->status; i++)
+        region->status = paradt__join_list(work, &table, work->region[i].patch.open + index, &region->memory);
+    for (i = 0; i < work->regions && !region->status && table.count; i++) {
+        const paradt__list *open = work->region[i].patch.open + index;
+        for (j = 0; j < open->count; j++) {
+            paradt_index *link = work->mesh.links + open->items[j];
             if (*link == PARADT__OPEN) *link = PARADT__HULL;
         }
     }
-    return status;
+    paradt__facets_free(&table, &region->memory);
+}
+
+// Frees the coordinates, which no later step takes.
+static void paradt__release_records(paradt__work *work) {
+    paradt__release(&work->memory, work->set.records);
+    work->set.records = NULL;
 }
 
 // Puts the cells of the regions together. The slices become the result, unless a region has left its slice, or more
@@ -16862,24 +17213,27 @@ static paradt_status paradt__collect_patches(paradt__work *work) {
     paradt_status status = PARADT_OK;
     for (i = 0; i < work->regions; i++) {
         const paradt__mesh *own = &work->region[i].patch.build.scene.mesh;
-        work->region[i].offset = total;
         total += own->count;
         in_place = in_place && own->lent;
         lent = lent || own->lent;
     }
     if (!lent) paradt__mesh_free(&work->slices, &work->memory);
     in_place = in_place && work->slices.capacity <= total + total / 2 + 64;
+    work->pieces = (paradt__piece *)paradt__alloc(&work->memory, 3 * work->regions, sizeof *work->pieces);
+    if (!work->pieces) return PARADT_ERROR_MEMORY;
     if (in_place) {
+        paradt__fill_slices(work, total);
         work->mesh = work->slices;
     } else {
-        paradt__release_records(work, &work->memory);
+        paradt__append_pieces(work);
+        paradt__release_records(work);
         status = paradt__mesh_reserve(&work->mesh, total, total, &work->memory);
     }
     work->mesh.count = total;
     status = paradt__run_step(work, status, paradt__emit_task);
-    if (!status && in_place) paradt__close_slices(work);
     if (in_place) memset(&work->slices, 0, sizeof work->slices);
-    return status ? status : paradt__join_patches(work);
+    paradt__release_records(work);
+    return paradt__run_step(work, status, paradt__join_task);
 }
 
 static size_t paradt__count_waiting(const paradt__work *work) {
@@ -16919,6 +17273,13 @@ static paradt_status paradt__next_room(paradt__work *work, size_t count, size_t 
     return PARADT_OK;
 }
 
+// Number of the points of the regions before one
+static size_t paradt__points_before(const paradt__work *work, size_t index) {
+    size_t count = 0;
+    while (index > 0) count += paradt__region_count(work, --index);
+    return count;
+}
+
 // Builds a region, at the end of the result while its cells fit there.
 static paradt_status paradt__build_next(paradt__work *work, size_t index) {
     paradt__region *region = work->region + index;
@@ -16930,7 +17291,7 @@ static paradt_status paradt__build_next(paradt__work *work, size_t index) {
     if (region->status) return region->status;
     capacity = paradt__expected_places(region->patch.build.count, work->set.space.dim);
     if (capacity > paradt__most_cells(mesh->corners)) capacity = paradt__most_cells(mesh->corners);
-    rest = paradt__expected_places(index ? work->cuts.cut[index].begin : 0, work->set.space.dim);
+    rest = paradt__expected_places(paradt__points_before(work, index), work->set.space.dim);
     region->status = paradt__next_room(work, capacity, rest);
     if (region->status) return region->status;
     lent->links = (paradt_index *)paradt__alloc(&work->memory, capacity * corners, sizeof(paradt_index));
@@ -16941,7 +17302,7 @@ static paradt_status paradt__build_next(paradt__work *work, size_t index) {
     if (!region->status) paradt__compact_task(work, index);
     if (!region->status && !own->lent) region->status = paradt__next_room(work, own->count, rest);
     to = paradt__mesh_rows(mesh->corners, work->facets, mesh->vertices + mesh->count * corners, own->links, 0);
-    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0, &progress);
+    if (!region->status) region->status = paradt__patch_emit(&region->patch, &to, 0, own->count, &progress);
     if (region->status) return region->status;
     mesh->count += own->count;
     paradt__patch_end(&region->patch);
@@ -17005,19 +17366,6 @@ static paradt_status paradt__take_over(paradt__work *work) {
 
 // --- the points of the regions
 
-// Decides where the fields are in the set. with_gaps: each field but the first ends with a gap for the points of others
-// that the region is likely to need. Returns the number of positions.
-static size_t paradt__place_fields(paradt__work *work, int with_gaps) {
-    size_t total = 0, i;
-    for (i = 0; i < work->regions; i++) {
-        size_t count = paradt__region_count(work, i);
-        work->fields[i].begin = total;
-        work->fields[i].capacity = with_gaps && i > 0 ? count + count / 8 + 64 : count;
-        total += work->fields[i].capacity;
-    }
-    return total;
-}
-
 static void paradt__move_points(paradt__work *work, size_t index, size_t from, size_t to) {
     paradt__set *set = &work->set;
     size_t count = paradt__region_count(work, index);
@@ -17026,37 +17374,51 @@ static void paradt__move_points(paradt__work *work, size_t index, size_t from, s
     memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
 }
 
-// Finds points that span the set, as positions in it after paradt__open_set.
-static void paradt__find_basis(paradt__work *work) {
-    paradt__set *set = &work->set;
-    int i, count = paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
-    for (i = 0; i < count; i++) {
-        size_t position = (size_t)work->basis[i], region = 0;
-        while (position >= paradt__cuts_end(&work->cuts, region, set->count)) region++;
-        if (region) position += work->fields[region].begin - work->cuts.cut[region].begin;
-        work->basis[i] = (paradt_index)position;
+// Makes gaps between the regions' points, for copies of others' points, in a set that was read without: as if it had
+// been read with them.
+static void paradt__open_set(paradt__work *work) {
+    size_t capacity = work->set.capacity, from = work->set.count, i;
+    if (capacity > (size_t)PARADT__NOWHERE) capacity = (size_t)PARADT__NOWHERE;
+    paradt__cuts_place(&work->cuts, capacity, work->set.space.dim);
+    for (i = work->regions; i-- > 0;) {
+        from -= paradt__region_count(work, i);
+        paradt__move_points(work, i, from, work->cuts.cut[i].begin);
+        paradt__cuts_fill_gap(&work->cuts, &work->set, i);
     }
 }
 
-// Makes gaps between the regions' points, for copies of others' points. The first region is built alone if its points
-// span the space.
-static void paradt__open_set(paradt__work *work) {
+// Closes the gaps.
+static void paradt__close_set(paradt__work *work) {
+    size_t to = 0, i;
+    for (i = 0; i < work->regions && work->cuts.positions; i++) {
+        paradt__move_points(work, i, work->cuts.cut[i].begin, to);
+        work->cuts.cut[i].begin = to;
+        to += paradt__region_count(work, i);
+    }
+    work->cuts.positions = 0;
+}
+
+// Finds points that span the set. The first position is a point's; gaps have copies of points before them.
+static void paradt__find_basis(paradt__work *work) {
+    paradt__set *set = &work->set;
+    size_t count = set->count;
+    set->count = work->cuts.positions;
+    (void)paradt__set_basis(set, NULL, 0, work->basis, NULL, &set->space.counters, NULL);
+    set->count = count;
+}
+
+// Begins the fields. The first region is built alone if its points span the space.
+static void paradt__begin_fields(paradt__work *work) {
     size_t i;
-    if (paradt__place_fields(work, 1) > (size_t)PARADT__NOWHERE) paradt__place_fields(work, 0);
-    paradt__find_basis(work);
-    for (i = work->regions; i-- > 1;) paradt__move_points(work, i, work->cuts.cut[i].begin, work->fields[i].begin);
     for (i = 0; i < work->regions; i++) {
+        const paradt__cut *cut = work->cuts.cut + i;
         paradt__field *field = work->fields + i;
-        paradt__field_begin(field, &work->set, paradt__region_count(work, i));
+        field->begin = cut->begin;
+        field->capacity = (i + 1 < work->regions ? cut[1].begin : work->cuts.positions) - cut->begin;
+        paradt__field_begin(field, &work->set, cut->count);
         paradt__cuts_box(&work->cuts, i, field->low, field->high);
     }
     work->first_alone = work->regions > 1 && paradt__spans(&work->fields[0].set);
-}
-
-// Closes the gaps again.
-static void paradt__close_set(paradt__work *work) {
-    size_t i;
-    for (i = 1; i < work->regions; i++) paradt__move_points(work, i, work->fields[i].begin, work->cuts.cut[i].begin);
 }
 
 static paradt_status paradt__build_by_patches(paradt__work *work) {
@@ -17067,7 +17429,9 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
     work->fields = (paradt__field *)paradt__alloc(&work->memory, work->regions, sizeof *work->fields);
     if (!work->fields) return PARADT_ERROR_MEMORY;
     memset(work->fields, 0, work->regions * sizeof *work->fields);
-    paradt__open_set(work);
+    if (!work->cuts.positions) paradt__open_set(work);
+    paradt__find_basis(work);
+    paradt__begin_fields(work);
     status = paradt__run_step(work, PARADT_OK, paradt__grid_task);
     if (!status) status = work->one_by_one ? paradt__build_one_by_one(work) : paradt__build_together(work);
     taken = status == PARADT__GAVE_UP && !work->one_by_one;
@@ -17083,7 +17447,8 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
         paradt__mesh_free(&work->fields[i].seam, &work->memory);
     }
     paradt__mesh_free(&work->slices, &work->memory);
-    paradt__facets_free(&work->open_facets, &work->memory);
+    paradt__release(&work->memory, work->pieces);
+    work->pieces = NULL;
     if (taken) work->regions = 1;
     return status;
 }
@@ -17105,14 +17470,40 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 
 enum { PARADT__SAMPLED = 2048 }; // points of the sample
 
+// The position of the point before which there are `rank` others in the order of the boxes, whether or not there are
+// gaps between these. *box and *before, 0 at first, are the caller's to keep, for ranks that mostly ascend: *before
+// points are in boxes before *box.
+static size_t paradt__position_of(const paradt__work *work, size_t rank, size_t *box, size_t *before) {
+    if (!work->cuts.positions) return rank;
+    if (rank < *before) *box = *before = 0;
+    while (rank - *before >= paradt__region_count(work, *box)) *before += paradt__region_count(work, (*box)++);
+    return work->cuts.cut[*box].begin + rank - *before;
+}
+
+// The spacing (see paradt__spacing) of every `every`-th point
+static double paradt__spacing_of_every(const paradt__work *work, size_t every) {
+    enum { SAMPLE = 63, TOGETHER = 8 };
+    double records[SAMPLE * TOGETHER * 3];
+    const paradt__set *set = &work->set;
+    size_t count = set->count / every, width = (size_t)set->space.dim, box = 0, before = 0, i, j;
+    for (i = 0; i < SAMPLE; i++) {
+        size_t first = (count + TOGETHER - 1) / TOGETHER * i / SAMPLE * TOGETHER;
+        for (j = 0; j < TOGETHER; j++) {
+            size_t rank = (first + j < count ? first + j : count - 1) * every;
+            size_t position = paradt__position_of(work, rank, &box, &before);
+            paradt__copy_record(records + (i * TOGETHER + j) * width, set->records + position * set->width, width);
+        }
+    }
+    return paradt__spacing(records, width, set->space.dim, NULL, SAMPLE * TOGETHER);
+}
+
 // Are points spread in fewer dimensions than they have? One in 64 is four times as far from its neighbours in three
 // dimensions, and eight times on a surface; in two dimensions eight times, and 64 times on a curve.
-static int paradt__is_hollow(const paradt__set *set) {
+static int paradt__is_hollow(const paradt__work *work) {
     enum { EVERY = 64 };
-    int dim = set->space.dim;
-    double all = paradt__spacing(set->records, set->width, dim, NULL, set->count);
-    double some = paradt__spacing(set->records, set->width * EVERY, dim, NULL, set->count / EVERY);
-    return dim >= 2 && dim <= 3 && some > (dim == 3 ? 5.6 : 11.2) * all;
+    int dim = work->set.space.dim;
+    if (dim < 2 || dim > 3 || work->set.count < EVERY) return 0;
+    return paradt__spacing_of_every(work, EVERY) > (dim == 3 ? 5.6 : 11.2) * paradt__spacing_of_every(work, 1);
 }
 
 // Number of the sample's points that have a neighbour on the other side of the first cut. side: [SAMPLED]
@@ -17137,7 +17528,7 @@ PARADT__COLD paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
     paradt__mesh mesh;
     paradt__counters counters;
     paradt__progress silent;
-    size_t i;
+    size_t box = 0, before = 0, i;
     unsigned char side[PARADT__SAMPLED];
     paradt_status status = PARADT_OK;
     *in_vain = 0;
@@ -17149,7 +17540,8 @@ PARADT__COLD paradt_status paradt__foresee(paradt__work *work, int *in_vain) {
     sample.records = (double *)paradt__alloc(&work->memory, sample.count, set->width * sizeof(double));
     if (!sample.records) return PARADT_ERROR_MEMORY;
     for (i = 0; i < sample.count; i++) {
-        size_t at = (size_t)((double)set->count / (double)sample.count * (double)i);
+        size_t rank = (size_t)((double)set->count / (double)sample.count * (double)i);
+        size_t at = paradt__position_of(work, rank, &box, &before);
         paradt__copy_record(sample.records + i * set->width, paradt__record(set, (paradt_index)at), set->width);
         side[i] = at < work->cuts.cut[work->regions / 2].begin;
     }
@@ -17224,11 +17616,17 @@ PARADT__COLD paradt_status paradt__build_by_insertion(paradt__work *work) {
     paradt_status status = PARADT_OK;
 #ifndef PARADT_NO_REGIONS
     int in_vain = 0;
-    work->hollow = work->regions > 1 && paradt__is_hollow(&work->set);
+    work->hollow = work->regions > 1 && paradt__is_hollow(work);
     if (work->hollow) status = paradt__foresee(work, &in_vain);
-    if (in_vain) work->regions = 1;
+    if (in_vain) {
+        paradt__close_set(work);
+        work->regions = 1;
+    }
     if (!status && work->regions > 1) { // sagittas are for the questions as well
+        size_t count = work->set.count;
+        if (work->cuts.positions) work->set.count = work->cuts.positions;
         status = paradt__set_grade(&work->set, PARADT__NEAR_SPHERE, &work->meter, &work->memory);
+        work->set.count = count;
         if (!status) status = paradt__build_by_patches(work);
         if (status != PARADT__GAVE_UP) return status;
         paradt__close_set(work);
@@ -17256,7 +17654,8 @@ PARADT__COLD paradt_status paradt__build_lifted_hull(paradt__work *work) {
     paradt_status status;
     size_t tasks = work->options.regions ? work->options.regions : 1;
     paradt__begin_way(work);
-    team = paradt__team_of(&work->options, tasks, paradt__whole_progress(work));
+    team = paradt__team_of(&work->options, tasks < PARADT__MOST_TASKS ? tasks : (size_t)PARADT__MOST_TASKS,
+                           paradt__whole_progress(work));
     memset(&counters, 0, sizeof counters);
     work->regions = 1;
     status = paradt__lifted_hull(&work->set, (work->options.flags & PARADT_FURTHEST_SITE) != 0, &team, &work->memory,
@@ -17349,12 +17748,13 @@ static void paradt__plan(paradt__work *work, const paradt_points *points) {
     work->cuts.partition = work->options.partition;
     work->cuts.larger_first = !work->one_by_one && !first->front;
     work->cuts.gaps = !first->front || work->options.method == PARADT_AUTO;
+    work->cuts.apart = first->can & PARADT__CAN_REGIONS && !first->front;
 }
 
 // Makes the cell of a set of one point, or of none.
 static paradt_status paradt__build_trivial(paradt__work *work) {
     paradt_status status;
-    work->regions = 1;
+    work->regions = 1; // the first position is a point's, if there is any
     paradt__mesh_begin(&work->mesh, 1, 0);
     status = paradt__mesh_reserve(&work->mesh, 1, 1, &work->memory);
     if (status) return status;
@@ -17587,12 +17987,19 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
     return bytes < 9e18 ? (uint64_t)bytes + FIXED : UINT64_MAX;
 }
 
+// Number of the tasks that read the points: one a region, but for few points
+static size_t paradt__reading_tasks(size_t regions, size_t count) {
+    enum { TOGETHER = 1 << 12 }; // points that are worth a task
+    size_t most = count / TOGETHER + PARADT__MOST_TASKS;
+    return regions < most ? regions : most;
+}
+
 // Reads the points into the set.
 static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now();
     double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
     paradt__progress progress = paradt__progress_of(&work->meter, &work->reported, reading);
-    paradt__team team = paradt__team_of(&work->options, work->regions, progress);
+    paradt__team team = paradt__team_of(&work->options, paradt__reading_tasks(work->regions, points->count), progress);
     paradt_status status;
     out->representative = (paradt_index *)paradt__alloc(&work->memory, points->count, sizeof(paradt_index));
     if (!out->representative) return PARADT_ERROR_MEMORY;
@@ -17736,7 +18143,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
     out->dim = -1;
     paradt__begin_call(&work, &stats, out, points, options);
     work.cuts.boxes = work.regions;
-    work.cuts.larger_first = work.cuts.gaps = 0;
+    work.cuts.larger_first = work.cuts.gaps = work.cuts.apart = 0;
     work.method = paradt__method_of(options->method);
     if (!work.method->front) work.method = paradt__method_of(PARADT_INCODE);
     status = paradt__load(&work, points, out);
@@ -19085,6 +19492,7 @@ PARADT__OPTIONAL paradt_status paradt__given_set(paradt__set *set, const paradt_
                                                  paradt__meter *meter, size_t *bad) {
     paradt_index basis[PARADT_MAX_DIM + 1];
     paradt_status status = paradt__given_read(set, points, t->representative, NULL, memory, meter, bad);
+    paradt__space scratch;
     paradt__set first;
     int axis;
     if (status) return status;
@@ -19097,8 +19505,8 @@ PARADT__OPTIONAL paradt_status paradt__given_set(paradt__set *set, const paradt_
     first.count = (size_t)t->dim + 1;
     if (paradt__set_basis(&first, t->cells, 0, basis, set->axes, &set->space.counters, meter) != t->dim + 1)
         return PARADT_ERROR_INVALID;
-    paradt__set_permute(set);
-    paradt__set_measure(set, &paradt__alone, t->dim);
+    paradt__set_permute(set, &paradt__alone);
+    paradt__set_measure(set, &paradt__alone, &scratch, t->dim);
     return PARADT_OK;
 }
 #endif
@@ -22914,7 +23322,7 @@ static paradt_status paradt__ask_sorted(paradt__asking *asking, const paradt_poi
     status = paradt__set_gather(&asking->set, &source, NULL, &team, memory, asking->representative, bad);
     if (status) return status;
     memcpy(asking->set.axes, asking->locator->set.axes, sizeof asking->set.axes);
-    paradt__set_permute(&asking->set);
+    paradt__set_permute(&asking->set, &team);
     team.progress = paradt__progress_of(&meter, &asked, 0.7);
     paradt__team_run(&team, paradt__ask_task, asking);
     if (paradt__team_cancelled(&team) || paradt__meter_cancels(&meter)) return PARADT_ERROR_CANCELLED;
@@ -23175,6 +23583,7 @@ static paradt_status paradt__filling_star(paradt__filling *f, paradt__insertion 
 static paradt_status paradt__filling_set(const paradt__filling *f, const paradt__insertion *build, paradt_index vertex,
                                          paradt__set *set) {
     const paradt__scene *scene = &build->scene;
+    paradt__space scratch;
     size_t i;
     set->width = scene->width;
     set->count = f->points.count + 1;
@@ -23185,7 +23594,7 @@ static paradt_status paradt__filling_set(const paradt__filling *f, const paradt_
                             paradt__scene_record(scene, i + 1 < set->count ? f->points.items[i] : vertex), set->width);
     set->space.ambient = scene->space.ambient;
     set->space.weighted = scene->space.weighted;
-    paradt__set_measure(set, &paradt__alone, scene->space.dim);
+    paradt__set_measure(set, &paradt__alone, &scratch, scene->space.dim);
     set->count--;
     return PARADT_OK;
 }
@@ -24983,9 +25392,10 @@ static paradt_status paradt__living_adopt(paradt_dynamic *d, paradt__work *work,
     d->build.scene.records = d->records;
     d->build.scene.space = set->space;
     if (scaled) {
+        paradt__space scratch;
         set->records = d->records;
         set->width = width;
-        paradt__set_measure(set, &paradt__alone, d->dim);
+        paradt__set_measure(set, &paradt__alone, &scratch, d->dim);
         d->build.scene.space = set->space;
         set->records = NULL;
     }
@@ -29242,7 +29652,7 @@ static paradt_status paradt__check_read(paradt__check *check, const paradt_point
         paradt__check_fail(check, "a coordinate or weight is NaN or infinite", -1, (paradt_index)set->count);
         return PARADT_ERROR_NOT_FINITE;
     }
-    paradt__set_scale(set, NULL);
+    paradt__set_scale(set, &paradt__alone, NULL);
     paradt__check_measure(check, points->dim);
     return PARADT_OK;
 }

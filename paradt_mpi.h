@@ -1612,9 +1612,10 @@ static void paradt_mpi__measure(paradt_mpi__work *w, int dim, int as_read) {
     paradt__space *space = &w->set.space;
     int64_t facts[6 + 2 * PARADT_MAX_DIM];
     paradt__range *ranges[2];
+    paradt__space measured;
     int j;
     if (as_read) paradt__set_measured(&w->set, dim);
-    else paradt__set_measure(&w->set, &paradt__alone, dim);
+    else paradt__set_measure(&w->set, &paradt__alone, &measured, dim);
     memcpy(w->low, space->low, sizeof w->low);
     memcpy(w->high, space->high, sizeof w->high);
     ranges[0] = &space->coordinates;
@@ -1786,7 +1787,7 @@ static paradt_status paradt_mpi__adopt_rows(paradt_mpi__work *w, const double *r
     paradt__release(&w->memory, gathered);
     paradt__release(&w->memory, counts);
     if (status) return status;
-    if (paradt__set_permute(&w->set)) as_read = 0;
+    if (paradt__set_permute(&w->set, &paradt__alone)) as_read = 0;
     paradt_mpi__measure(w, dim, as_read);
     w->out->dim = dim;
     w->stats.points = w->set.count;

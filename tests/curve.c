@@ -1,4 +1,5 @@
-// Reading the points: Hilbert's curve, sorting along it, equal points, what is measured meanwhile, and the rounds of insertion.
+// Reading the points: Hilbert's curve, sorting along it, equal points, what is measured meanwhile, and the rounds of
+// insertion.
 #define PARADT_STATIC // functions that are not called are not compiled
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
@@ -12,8 +13,8 @@ static void lattice_point(int i, int dim, int levels, double *x) {
     for (int j = 0; j < dim; j++, i >>= levels) x[j] = i & ((1 << levels) - 1);
 }
 
-// Computes the keys of all points of a lattice of 2^levels points along each axis. order[key] becomes the point with this key.
-// Returns the number of points, or -1 if the keys are not the numbers below it.
+// Computes the keys of all points of a lattice of 2^levels points along each axis. order[key] becomes the point with
+// this key. Returns the number of points, or -1 if the keys are not the numbers below it.
 static int keys_of_cube(const paradt__hilbert *hilbert, int dim, int levels, int *order) {
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
     int count = 1 << (dim * levels);
@@ -122,8 +123,8 @@ static void fill_scales(double *x, int dim) {
     }
 }
 
-// The distances are far too small for the first lattice, so runs of equal keys get lattices of their own. The number of tasks, and
-// that of the levels, which crowded points increase, have no influence.
+// The distances are far too small for the first lattice, so runs of equal keys get lattices of their own. The number of
+// tasks, and that of the levels, which crowded points increase, have no influence.
 static void equal_points_are_found_on_all_scales(void **state) {
     static double x[SCALES * PARADT_MAX_DIM];
     static paradt_index representative[SCALES];
@@ -140,8 +141,7 @@ static void equal_points_are_found_on_all_scales(void **state) {
             points.count = count;
             points.dim = dim;
             paradt__memory_begin(&memory, NULL);
-            assert_int_equal(paradt__set_load(&set, &points, NULL, &team, &memory, representative, &bad),
-                             PARADT_OK);
+            assert_int_equal(paradt__set_load(&set, &points, NULL, &team, &memory, representative, &bad), PARADT_OK);
             for (size_t i = 0; i < count; i++) {
                 size_t first = 0, bytes = (size_t)dim * sizeof *x;
                 while (memcmp(x + first * (size_t)dim, x + i * (size_t)dim, bytes)) first++;
@@ -181,12 +181,12 @@ static int is_crowded(const double *x, size_t count) {
     int crowded;
     memset(&set, 0, sizeof set);
     paradt__memory_begin(&memory, NULL);
-    paradt__loader_begin(&loader, &set, &source, NULL, &paradt__alone, representative);
-    assert_int_equal(paradt__loader_allocate(&loader, &memory), PARADT_OK);
+    paradt__loader_begin(&loader, &set, &source, NULL, &paradt__alone, &memory, representative);
+    assert_int_equal(paradt__loader_allocate(&loader), PARADT_OK);
     assert_int_equal(paradt__loader_survey(&loader, &bad), PARADT_OK);
     paradt__hilbert_begin(&loader.hilbert, 3, count);
     crowded = paradt__loader_crowded(&loader, paradt__levels_for(count, 3));
-    paradt__loader_free(&loader, &memory);
+    paradt__loader_free(&loader);
     paradt__set_free(&set, &memory);
     assert_int_equal(memory.held, 0);
     return crowded;
@@ -206,8 +206,8 @@ static void a_sample_tells_whether_points_are_crowded(void **state) {
     }
 }
 
-// Makes points by kind. 0: anywhere in a cube; 1: on a small lattice; 2: of large coordinates; 3: the second axis is the longest,
-// and a multiple of the first.
+// Makes points by kind. 0: anywhere in a cube; 1: on a small lattice; 2: of large coordinates; 3: the second axis is
+// the longest, and a multiple of the first.
 static void fill_boxes(double *x, size_t count, int dim, int kind) {
     for (size_t i = 0; i < count; i++) {
         double *p = x + i * (size_t)dim;
@@ -221,33 +221,42 @@ static void fill_boxes(double *x, size_t count, int dim, int kind) {
     }
 }
 
-// Each box has the points within its bounds. even: each has an equal share of the points.
+// Each box has the points within its bounds, and behind them, where the boxes are apart, copies of its last point.
+// even: each has an equal share of the points.
 static void expect_boxes(const paradt__set *set, const paradt__cuts *cuts, int even) {
-    size_t begin = 0, share = set->count / cuts->boxes;
+    size_t begin = 0, total = 0, share = set->count / cuts->boxes, bytes = set->width * sizeof(double);
     for (size_t box = 0; box < cuts->boxes; box++) {
-        size_t end = paradt__cuts_end(cuts, box, set->count);
+        size_t end = begin + (cuts->boxes > 1 ? cuts->cut[box].count : set->count);
         double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
         for (int j = 0; j < set->space.ambient; j++) {
             low[j] = -INFINITY;
             high[j] = INFINITY;
         }
         paradt__cuts_box(cuts, box, low, high);
-        assert_true(end >= begin && end <= set->count);
+        if (cuts->boxes > 1) assert_int_equal(cuts->cut[box].begin, begin);
+        assert_true(end <= set->capacity);
         if (even) assert_true(end - begin + 4 > share && end - begin < share + 4);
         for (size_t i = begin; i < end; i++) {
             const double *p = paradt__record(set, (paradt_index)i);
             assert_int_equal(paradt__cuts_find(cuts, p), box);
             for (int j = 0; j < set->space.ambient; j++) assert_true(p[j] >= low[j] && p[j] <= high[j]);
         }
+        total += end - begin;
         begin = end;
+        if (cuts->positions) end = box + 1 < cuts->boxes ? cuts->cut[box + 1].begin : cuts->positions;
+        for (; begin < end; begin++) {
+            const double *p = paradt__record(set, (paradt_index)begin);
+            assert_memory_equal(p, p - set->width, bytes);
+        }
     }
-    assert_int_equal(begin, set->count);
+    assert_int_equal(total, set->count);
+    assert_int_equal(begin, cuts->positions ? cuts->positions : set->count);
 }
 
 // Building a grid sorts the set in another way; the points are then moved back to their boxes.
 static void expect_dealt(paradt__set *set, const paradt__cuts *cuts, paradt__memory *memory) {
     paradt__grid grid;
-    if (set->space.dim < 2 || cuts->boxes < 2) return;
+    if (set->space.dim < 2 || cuts->boxes < 2 || cuts->positions) return;
     memset(&grid, 0, sizeof grid);
     assert_int_equal(paradt__grid_build(&grid, set, NULL, memory), PARADT_OK);
     paradt__grid_free(&grid, memory);
@@ -262,9 +271,9 @@ static void boxes_follow_each_other(void **state) {
     (void)state;
     for (int dim = 2; dim <= 4; dim++)
         for (int kind = 0; kind < 4; kind++)
-            for (size_t boxes = 1; boxes <= 700; boxes += boxes < 9 ? 1 : 230) {
+            for (size_t boxes = 1, apart = 0; boxes <= 700; boxes += !apart ? 0 : boxes < 9 ? 1 : 230, apart = !apart) {
                 paradt_points points = {0};
-                paradt__team team = {tasks_in_turn, NULL, 2, {NULL, NULL, 0.0}};
+                paradt__team team = {tasks_in_turn, NULL, boxes % 2 && apart ? boxes : 2, {NULL, NULL, 0.0}};
                 paradt__cuts cuts = {0};
                 paradt__memory memory;
                 paradt__set set;
@@ -274,6 +283,7 @@ static void boxes_follow_each_other(void **state) {
                 points.count = BOXED;
                 points.dim = dim;
                 cuts.boxes = boxes;
+                cuts.gaps = cuts.apart = (int)apart;
                 paradt__memory_begin(&memory, NULL);
                 assert_int_equal(paradt__set_load(&set, &points, NULL, &paradt__alone, &memory, expected, &bad),
                                  PARADT_OK);
@@ -377,8 +387,8 @@ static void rounds_take_every_point_once_and_one_of_sixteen_earlier(void **state
 
 enum { OWN = 4000, TWINS = 200, OUTSIDE = 100, OTHERS = TWINS + OUTSIDE, NEAR = 16 };
 
-// The set's first `own` points, in a box, are along the curve. Merges other points with them: TWINS of the others are at the
-// places of own points, the rest anywhere. At most NEAR own points may stand between a point and its twin.
+// The set's first `own` points, in a box, are along the curve. Merges other points with them: TWINS of the others are
+// at the places of own points, the rest anywhere. At most NEAR own points may stand between a point and its twin.
 static void merge_and_compare(paradt__set *set, size_t own, const int64_t *low, const int64_t *high) {
     static paradt__keyed sorted[OTHERS], other[OTHERS];
     static paradt_index merged[OWN + OTHERS];
