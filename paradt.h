@@ -1157,7 +1157,8 @@ PARADT_DEF paradt_status paradt_nearest(const paradt_locator *locator, const par
 
 // The same for one place: without a sort, an allocation or an error; x is finite, else the result is -1.
 //   x     [dim] of the points
-//   hint  a vertex nearby, as of the query before; -1: none is known. Then the search starts from a grid of cells.
+//   hint  a vertex nearby, as of the query before; -1: none is known. Where it is none, or not very near, the search
+//         starts from a grid of cells.
 // Thread safety: any number of concurrent calls on one locator. Cost: expected constant time.
 PARADT_DEF paradt_location paradt_locate_one(const paradt_locator *locator, const double *x, paradt_index hint);
 PARADT_DEF paradt_index paradt_nearest_one(const paradt_locator *locator, const double *x, paradt_index hint);
@@ -1180,7 +1181,8 @@ PARADT_DEF paradt_status paradt_within(const paradt_locator *locator, const doub
                                        size_t capacity, size_t *count, paradt_work *work);
 
 // Finds the cells whose interior the segment from a to b meets, and where it only runs within faces, for each stretch
-// one of the cells around; in order from a to b. Parts outside the hull have no cells.
+// one of the cells around; in order from a to b. Parts outside the hull have no cells, and neither have cells that are
+// only touched. Where a and b are one place, the cell that holds it.
 //   out       [capacity] the first of them
 //   count     how many there are, which may be more than capacity
 // Errors, thread safety: as paradt_nearest_some. Cost: as the cells met and those around their faces that it meets.
