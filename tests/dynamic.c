@@ -1,5 +1,6 @@
 // Living sets: after any changes the cells are those of a new triangulation of the points that are there.
 #include "harness.h"
+#include "runners.h"
 
 #include <time.h>
 
@@ -509,6 +510,35 @@ static void failing_allocations_while_creating(void **state) {
     }
 }
 
+// Regions, far away and tiny scales, and points near a sphere: whatever way builds the cells, the set goes on from them.
+static void every_way_of_creating_leads_on(void **state) {
+    static const char *const names[] = {"uniform", "sphere", "rough sphere", "duplicates"};
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (int w = 0; w < 2; w++)
+            for (int name = 0; name < 4; name++)
+                for (int e = -400; e <= 400; e += 400) {
+                    sample pool = family_make(&families[family_named(names[name])], &weightings[w], dim,
+                                              dim < 4 ? 2500 : 300, (uint64_t)(8 + w));
+                    paradt_options options = {0};
+                    options.regions = (size_t)(1 + name);
+                    options.parallel_for = run_backwards;
+                    if (SANITIZED && (e || w))
+                        continue;
+                    for (int i = 0; i < pool.count * dim; i++)
+                        pool.x[i] = ldexp(pool.x[i], e);
+                    for (int i = 0; i < pool.count && pool.w; i++)
+                        pool.w[i] = ldexp(pool.w[i], 2 * e);
+                    game g = game_begin(&pool, pool.count, &options, 5);
+                    expect_canonical(g.d, &g.s, pool.name);
+                    for (int step = 0; step < 60; step++)
+                        game_step(&g, pool.count);
+                    expect_canonical(g.d, &g.s, pool.name);
+                    game_end(&g);
+                    sample_free(&pool);
+                }
+}
+
 static void memory_limit_is_kept(void **state) {
     (void)state;
     sample pool = family_make(&families[family_named("uniform")], NULL, 3, 4000, 4);
@@ -539,8 +569,8 @@ static int cancel_later(void *user, double done) {
 
 static void cancelled_batches_leave_the_set(void **state) {
     (void)state;
-    sample pool = family_make(&families[family_named("uniform")], NULL, 3, 6000, 4);
-    int calls = 1 << 30;
+    sample pool = family_make(&families[family_named("uniform")], NULL, SANITIZED ? 2 : 3, 6000, 4);
+    int calls = 1 << 30, dim = pool.dim;
     paradt_options options = {0};
     options.progress = cancel_later;
     options.user = &calls;
@@ -554,7 +584,7 @@ static void cancelled_batches_leave_the_set(void **state) {
                 ids[i] = 2 * i;
             for (int after = 0;; after = 2 * after + 1) {
                 calls = after;
-                paradt_status status = change_once(&g, kind, pool.x + 3 * 4000, NULL, ids, n);
+                paradt_status status = change_once(&g, kind, pool.x + dim * 4000, NULL, ids, n);
                 calls = 1 << 30;
                 if (!status)
                     break;
@@ -565,7 +595,7 @@ static void cancelled_batches_leave_the_set(void **state) {
             assert_true(cancelled > 1);
             for (int i = 0; i < n; i++)
                 if (kind < 2)
-                    shadow_put(&g.s, ids[i], pool.x + 3 * (4000 + i), 0.0);
+                    shadow_put(&g.s, ids[i], pool.x + dim * (4000 + i), 0.0);
                 else
                     shadow_take(&g.s, ids[i]);
             expect_canonical(g.d, &g.s, pool.name);
@@ -760,6 +790,7 @@ int main(void) {
     tests[count++] = named_test(dimension_rises_and_falls, NULL, "dimension_rises_and_falls");
     tests[count++] = named_test(range_grows, NULL, "range_grows");
     tests[count++] = named_test(many_neighbours_take_no_square, NULL, "many_neighbours_take_no_square");
+    tests[count++] = named_test(every_way_of_creating_leads_on, NULL, "every_way_of_creating_leads_on");
     tests[count++] = named_test(memory_limit_is_kept, NULL, "memory_limit_is_kept");
     tests[count++] = named_test(cancelled_batches_leave_the_set, NULL, "cancelled_batches_leave_the_set");
     tests[count++] = named_test(wrong_arguments_are_refused, NULL, "wrong_arguments_are_refused");
