@@ -79,8 +79,8 @@ static void expect_readable(const paradt_dynamic *d, const paradt_triangulation 
     uint64_t hash = 0, row[PARADT_MAX_DIM + 1];
     size_t cells = 0, stars = 0;
     paradt_dynamic_get_info(d, &info);
-    for (paradt_index cell = -1; cell <= (paradt_index)info.cell_end; cell++) {
-        if (!paradt_dynamic_cell(d, cell, vertices, links))
+    for (paradt_index number = -1; number <= (paradt_index)info.cell_end; number++) {
+        if (!paradt_dynamic_cell(d, number, vertices, links))
             continue;
         cells++;
         for (int i = 0; i <= info.dim; i++) {
@@ -88,7 +88,7 @@ static void expect_readable(const paradt_dynamic *d, const paradt_triangulation 
             if (links[i] < 0)
                 continue;
             assert_true(paradt_dynamic_cell(d, links[i] / (info.dim + 1), NULL, other));
-            assert_int_equal(other[links[i] % (info.dim + 1)], (info.dim + 1) * cell + i);
+            assert_int_equal(other[links[i] % (info.dim + 1)], (info.dim + 1) * number + i);
         }
         hash += paradt_hash_cell(row, info.dim + 1);
     }
@@ -654,13 +654,13 @@ typedef struct mirror {
     paradt_index *rows; // [room][corners] -1: there is no such cell
 } mirror;
 
-static void mirror_put(mirror *m, paradt_index cell, const paradt_index *row) {
-    for (; (int)cell >= m->room; m->room++) {
+static void mirror_put(mirror *m, paradt_index number, const paradt_index *row) {
+    for (; (int)number >= m->room; m->room++) {
         m->rows = (paradt_index *)realloc(m->rows, sizeof *row * (size_t)((m->room + 1) * m->corners));
         assert_non_null(m->rows);
         m->rows[m->room * m->corners] = -1;
     }
-    memcpy(m->rows + (int)cell * m->corners, row, sizeof *row * (size_t)m->corners);
+    memcpy(m->rows + (int)number * m->corners, row, sizeof *row * (size_t)m->corners);
 }
 
 static void mirror_all(mirror *m, const paradt_dynamic *d) {
@@ -671,9 +671,9 @@ static void mirror_all(mirror *m, const paradt_dynamic *d) {
     m->rows = NULL;
     m->room = 0;
     m->corners = info.dim + 1;
-    for (paradt_index cell = 0; cell < (paradt_index)info.cell_end; cell++)
-        if (paradt_dynamic_cell(d, cell, row, NULL))
-            mirror_put(m, cell, row);
+    for (paradt_index number = 0; number < (paradt_index)info.cell_end; number++)
+        if (paradt_dynamic_cell(d, number, row, NULL))
+            mirror_put(m, number, row);
 }
 
 static void updates_tell_what_changed(void **state) {
@@ -707,8 +707,8 @@ static void updates_tell_what_changed(void **state) {
                     assert_true(paradt_dynamic_cell(g.d, u.made[i], row, NULL));
                     mirror_put(&m, u.made[i], row);
                 }
-                for (int cell = 0; cell < m.room || cell < (int)info.cell_end; cell++) {
-                    int is = paradt_dynamic_cell(g.d, cell, row, NULL), was = cell < m.room && m.rows[cell * m.corners] >= 0;
+                for (int number = 0; number < m.room || number < (int)info.cell_end; number++) {
+                    int is = paradt_dynamic_cell(g.d, number, row, NULL), was = number < m.room && m.rows[number * m.corners] >= 0;
                     assert_int_equal(is, was);
                     cells += (size_t)is;
                 }
@@ -778,7 +778,7 @@ static void soak(void **state) {
 }
 
 int main(void) {
-    struct CMUnitTest tests[2 * FAMILY_COUNT + 16];
+    static struct CMUnitTest tests[2 * FAMILY_COUNT + 16];
     static const char *const some[] = {"uniform", "lattice", "duplicates", "axis plane", "line"};
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT; f++)
