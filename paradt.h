@@ -1592,7 +1592,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     call                         195   what one call works with; steps
 //     fronts                       105   InCoDe and DeWall from set to mesh
 //     parallel dewall              495   DeWall by tasks
-//     regions of insertion         618   the steps of a divided insertion
+//     regions of insertion         619   the steps of a divided insertion
 //   entry
 //     methods                      330   one row a method; AUTO's choice
 //     triangulate                  387   the entry
@@ -1618,7 +1618,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     holes of vertices            382   the hole where a vertex goes, and wrapping it
 //     filling holes                391   what fills it
 //     state of a living set        698   columns, journal, hidden and coincident points
-//     changes of a living set      680   one point comes, goes or moves; the set anew
+//     changes of a living set      692   one point comes, goes or moves; the set anew
 //     living set                   634   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
@@ -17372,7 +17372,8 @@ static void paradt__move_points(paradt__work *work, size_t index, size_t from, s
     paradt__set *set = &work->set;
     size_t count = paradt__region_count(work, index);
     if (from == to) return;
-    memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
+    if (set->records) // else they are not needed any more
+        memmove(set->records + to * set->width, set->records + from * set->width, count * set->width * sizeof(double));
     memmove(set->origin + to, set->origin + from, count * sizeof *set->origin);
 }
 
@@ -25369,7 +25370,7 @@ static paradt_status paradt__living_adopt(paradt_dynamic *d, paradt__work *work,
     size_t count = points->count, i, width = (size_t)d->ambient + (size_t)d->weighted;
     double record[PARADT_MAX_DIM + 1];
     paradt_status status = PARADT_OK;
-    int j, scaled = set->exponent < 1023 - 32 || set->exponent > 1023 + 32;
+    int j, scaled = set->exponent < 1023 - 32 || set->exponent > 1023 + 32, again = scaled;
     d->dim = set->space.dim;
     d->straight = 1;
     for (j = 0; j < d->ambient; j++) {
@@ -25384,9 +25385,14 @@ static paradt_status paradt__living_adopt(paradt_dynamic *d, paradt__work *work,
     d->records = set->records;
     set->origin = NULL;
     set->records = NULL;
-    for (i = 0; i < set->count && (set->width > width || scaled); i++) { // as the caller has them
-        memmove(d->records + i * width, d->records + i * set->width, width * sizeof *record);
-        if (!scaled) continue;
+    if (!d->records) { // they have been given back
+        d->records = (double *)paradt__alloc_filled(&d->memory, set->capacity, width * sizeof(double));
+        if (!d->records) return PARADT_ERROR_MEMORY;
+        again = 1;
+    }
+    for (i = 0; i < set->count && (set->width > width || again); i++) { // as the caller has them
+        if (!again) memmove(d->records + i * width, d->records + i * set->width, width * sizeof *record);
+        if (!again) continue;
         paradt__read_record(&source, (size_t)d->column[PARADT__OWNER][i], record);
         for (j = 0; j < d->ambient; j++) d->records[i * width + (size_t)j] = record[d->axes[j]];
         if (d->weighted) d->records[i * width + (size_t)d->ambient] = record[d->ambient];
@@ -25491,9 +25497,9 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
     if (!status && !mesh->marked) {
         mesh->marks = (unsigned char *)paradt__alloc(&d->memory, mesh->capacity, 1);
         if (!mesh->marks) return PARADT_ERROR_MEMORY;
-        memset(mesh->marks, 0, mesh->capacity);
         mesh->marked = 1;
     }
+    if (!status) memset(mesh->marks, 0, mesh->capacity); // regions leave some
     if (!status) status = paradt__living_find_hidden(d);
     d->build.count = d->now.vertices;
     if (!status)
@@ -25530,6 +25536,7 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     paradt_triangulation out;
     paradt_options options = d->options;
     paradt_status status;
+    size_t regions;
     memset(&out, 0, sizeof out);
     options.method = PARADT_AUTO;
     options.flags = PARADT_FACETS;
@@ -25537,12 +25544,18 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     work.memory = d->memory;
     status = paradt__load(&work, points, &out);
     d->error_point = out.error_point;
+    regions = work.regions;
     if (!status) status = paradt__build_mesh(&work);
 #ifndef PARADT_NO_REGIONS
-    if (!status && work.fields) paradt__close_set(&work);
+    if (!status && work.fields) { // one region may have taken over from the others
+        work.regions = regions;
+        paradt__close_set(&work);
+    }
 #endif
+    (void)regions;
     paradt__release_helpers(&work);
     if (!status && work.delivered) status = paradt__living_take_back(&work, &work.memory);
+    if (work.delivered) work.mesh.spare_count = 0; // its gaps have been closed
     paradt__release(&work.memory, work.cuts.cut);
     d->memory = work.memory;
     d->build.scene.mesh = work.mesh;

@@ -1,5 +1,6 @@
 // Living sets: after any changes the cells are those of a new triangulation of the points that are there.
 #include "harness.h"
+#include "runners.h"
 
 #include <time.h>
 
@@ -78,8 +79,8 @@ static void expect_readable(const paradt_dynamic *d, const paradt_triangulation 
     uint64_t hash = 0, row[PARADT_MAX_DIM + 1];
     size_t cells = 0, stars = 0;
     paradt_dynamic_get_info(d, &info);
-    for (paradt_index cell = -1; cell <= (paradt_index)info.cell_end; cell++) {
-        if (!paradt_dynamic_cell(d, cell, vertices, links))
+    for (paradt_index number = -1; number <= (paradt_index)info.cell_end; number++) {
+        if (!paradt_dynamic_cell(d, number, vertices, links))
             continue;
         cells++;
         for (int i = 0; i <= info.dim; i++) {
@@ -87,7 +88,7 @@ static void expect_readable(const paradt_dynamic *d, const paradt_triangulation 
             if (links[i] < 0)
                 continue;
             assert_true(paradt_dynamic_cell(d, links[i] / (info.dim + 1), NULL, other));
-            assert_int_equal(other[links[i] % (info.dim + 1)], (info.dim + 1) * cell + i);
+            assert_int_equal(other[links[i] % (info.dim + 1)], (info.dim + 1) * number + i);
         }
         hash += paradt_hash_cell(row, info.dim + 1);
     }
@@ -509,6 +510,35 @@ static void failing_allocations_while_creating(void **state) {
     }
 }
 
+// Regions, far away and tiny scales, and points near a sphere: whatever way builds the cells, the set goes on from them.
+static void every_way_of_creating_leads_on(void **state) {
+    static const char *const names[] = {"uniform", "sphere", "rough sphere", "duplicates"};
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (int w = 0; w < 2; w++)
+            for (int name = 0; name < 4; name++)
+                for (int e = -400; e <= 400; e += 400) {
+                    sample pool = family_make(&families[family_named(names[name])], &weightings[w], dim,
+                                              dim < 4 ? 2500 : 300, (uint64_t)(8 + w));
+                    paradt_options options = {0};
+                    options.regions = (size_t)(1 + name);
+                    options.parallel_for = run_backwards;
+                    if (SANITIZED && (e || w))
+                        continue;
+                    for (int i = 0; i < pool.count * dim; i++)
+                        pool.x[i] = ldexp(pool.x[i], e);
+                    for (int i = 0; i < pool.count && pool.w; i++)
+                        pool.w[i] = ldexp(pool.w[i], 2 * e);
+                    game g = game_begin(&pool, pool.count, &options, 5);
+                    expect_canonical(g.d, &g.s, pool.name);
+                    for (int step = 0; step < 60; step++)
+                        game_step(&g, pool.count);
+                    expect_canonical(g.d, &g.s, pool.name);
+                    game_end(&g);
+                    sample_free(&pool);
+                }
+}
+
 static void memory_limit_is_kept(void **state) {
     (void)state;
     sample pool = family_make(&families[family_named("uniform")], NULL, 3, 4000, 4);
@@ -539,8 +569,8 @@ static int cancel_later(void *user, double done) {
 
 static void cancelled_batches_leave_the_set(void **state) {
     (void)state;
-    sample pool = family_make(&families[family_named("uniform")], NULL, 3, 6000, 4);
-    int calls = 1 << 30;
+    sample pool = family_make(&families[family_named("uniform")], NULL, SANITIZED ? 2 : 3, 6000, 4);
+    int calls = 1 << 30, dim = pool.dim;
     paradt_options options = {0};
     options.progress = cancel_later;
     options.user = &calls;
@@ -554,7 +584,7 @@ static void cancelled_batches_leave_the_set(void **state) {
                 ids[i] = 2 * i;
             for (int after = 0;; after = 2 * after + 1) {
                 calls = after;
-                paradt_status status = change_once(&g, kind, pool.x + 3 * 4000, NULL, ids, n);
+                paradt_status status = change_once(&g, kind, pool.x + dim * 4000, NULL, ids, n);
                 calls = 1 << 30;
                 if (!status)
                     break;
@@ -565,7 +595,7 @@ static void cancelled_batches_leave_the_set(void **state) {
             assert_true(cancelled > 1);
             for (int i = 0; i < n; i++)
                 if (kind < 2)
-                    shadow_put(&g.s, ids[i], pool.x + 3 * (4000 + i), 0.0);
+                    shadow_put(&g.s, ids[i], pool.x + dim * (4000 + i), 0.0);
                 else
                     shadow_take(&g.s, ids[i]);
             expect_canonical(g.d, &g.s, pool.name);
@@ -624,13 +654,13 @@ typedef struct mirror {
     paradt_index *rows; // [room][corners] -1: there is no such cell
 } mirror;
 
-static void mirror_put(mirror *m, paradt_index cell, const paradt_index *row) {
-    for (; (int)cell >= m->room; m->room++) {
+static void mirror_put(mirror *m, paradt_index number, const paradt_index *row) {
+    for (; (int)number >= m->room; m->room++) {
         m->rows = (paradt_index *)realloc(m->rows, sizeof *row * (size_t)((m->room + 1) * m->corners));
         assert_non_null(m->rows);
         m->rows[m->room * m->corners] = -1;
     }
-    memcpy(m->rows + (int)cell * m->corners, row, sizeof *row * (size_t)m->corners);
+    memcpy(m->rows + (int)number * m->corners, row, sizeof *row * (size_t)m->corners);
 }
 
 static void mirror_all(mirror *m, const paradt_dynamic *d) {
@@ -641,9 +671,9 @@ static void mirror_all(mirror *m, const paradt_dynamic *d) {
     m->rows = NULL;
     m->room = 0;
     m->corners = info.dim + 1;
-    for (paradt_index cell = 0; cell < (paradt_index)info.cell_end; cell++)
-        if (paradt_dynamic_cell(d, cell, row, NULL))
-            mirror_put(m, cell, row);
+    for (paradt_index number = 0; number < (paradt_index)info.cell_end; number++)
+        if (paradt_dynamic_cell(d, number, row, NULL))
+            mirror_put(m, number, row);
 }
 
 static void updates_tell_what_changed(void **state) {
@@ -677,8 +707,8 @@ static void updates_tell_what_changed(void **state) {
                     assert_true(paradt_dynamic_cell(g.d, u.made[i], row, NULL));
                     mirror_put(&m, u.made[i], row);
                 }
-                for (int cell = 0; cell < m.room || cell < (int)info.cell_end; cell++) {
-                    int is = paradt_dynamic_cell(g.d, cell, row, NULL), was = cell < m.room && m.rows[cell * m.corners] >= 0;
+                for (int number = 0; number < m.room || number < (int)info.cell_end; number++) {
+                    int is = paradt_dynamic_cell(g.d, number, row, NULL), was = number < m.room && m.rows[number * m.corners] >= 0;
                     assert_int_equal(is, was);
                     cells += (size_t)is;
                 }
@@ -748,7 +778,7 @@ static void soak(void **state) {
 }
 
 int main(void) {
-    struct CMUnitTest tests[2 * FAMILY_COUNT + 16];
+    static struct CMUnitTest tests[2 * FAMILY_COUNT + 16];
     static const char *const some[] = {"uniform", "lattice", "duplicates", "axis plane", "line"};
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT; f++)
@@ -760,6 +790,7 @@ int main(void) {
     tests[count++] = named_test(dimension_rises_and_falls, NULL, "dimension_rises_and_falls");
     tests[count++] = named_test(range_grows, NULL, "range_grows");
     tests[count++] = named_test(many_neighbours_take_no_square, NULL, "many_neighbours_take_no_square");
+    tests[count++] = named_test(every_way_of_creating_leads_on, NULL, "every_way_of_creating_leads_on");
     tests[count++] = named_test(memory_limit_is_kept, NULL, "memory_limit_is_kept");
     tests[count++] = named_test(cancelled_batches_leave_the_set, NULL, "cancelled_batches_leave_the_set");
     tests[count++] = named_test(wrong_arguments_are_refused, NULL, "wrong_arguments_are_refused");
