@@ -1216,9 +1216,8 @@ PARADT_DEF void paradt_adjacency_free(paradt_adjacency *adjacency);
 //   points   read during the call only; point i has the id i. Without weights all weights are 0, and those of later
 //            points must be, too.
 //   options  NULL: the defaults. They hold for all calls on the set: allocator, memory_limit (of the set), progress,
-//            parallel_for, user, regions. method says how a point is located: PARADT_AUTO, by a walk from a grid of
-//            starting cells; PARADT_DELAUNAY_TREE or PARADT_FLIP, by the cells that were: then points can't be removed
-//            or moved. flags: 0
+//            parallel_for, user, regions. method: PARADT_AUTO, points are located by a walk from a grid of starting
+//            cells. flags: 0
 // Errors: those of paradt_triangulate. Thread safety: any number of concurrent calls. Cost: that of paradt_triangulate.
 PARADT_DEF paradt_status paradt_dynamic_create(paradt_dynamic **out, const paradt_points *points,
                                                const paradt_options *options);
