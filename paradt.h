@@ -1115,10 +1115,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
 //     insertion                    286   dig and star, in any dimension
-//     kept spheres                 508   conflict tests by one product, in space
-//     insertion in space           656   dig and star with kept spheres
-//     insertion in space by AVX2   466   its inner functions for four lanes
-//     inserting                    211   insertions from begin to end
+//     kept spheres                 543   conflict tests by one product, in space
+//     insertion in space           686   dig and star with kept spheres
+//     insertion in space by AVX2   498   its inner functions for four lanes
+//     inserting                    233   insertions from begin to end
 //     planes                       350   conflict tests by one product, in any dimension
 //     ridge table                  162   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
@@ -9036,11 +9036,12 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>kept spheres
 //
-// Conflict tests in three dimensions, without weights, by spheres that are kept: a test is one dot product, for ghosts
-// too. Where the value does not exceed the bound on its error the predicates decide, so the answers are always theirs.
+// Conflict tests in three dimensions by spheres that are kept: a test is one dot product, for ghosts too. Where the
+// value does not exceed the bound on its error the predicates decide, so the answers are always theirs.
 //
 // A cell's sphere is kept as an affine function of x: the power of x with regard to the sphere, without |x|^2.
 //     power(x) = |x|^2 + normal . x + constant, negative inside; x is relative to the centre of the set's bounding box
+// With weights |x|^2 less the weight takes the place of |x|^2.
 // A ghost has the halfspace beyond its facet instead of a ball: a function so steep that |x|^2 does not matter. The
 // spheres stand in a table, in slots. A cell's slot is its place modulo the table's size, a power of two. If another
 // cell's sphere has driven a sphere out of its slot, the sphere is made again when it is wanted.
@@ -9083,13 +9084,20 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 //     computed with E / 4u added to the size of each difference of g, n_j is wrong by at most 12.1u N_j again, for 2 E
 //     is less than 12.1u times that. The terms of the power add up to at most 2 G + 2 W, and E counts twice. So the
 //     bound of (4) holds with H = G + E / 16u, which is as small as the noise.
-// (8) Zero. A power times det is the in-sphere determinant, a multiple of the set's quantum, and det is at most
-//     6 * 8 h_x h_y h_z. So a power that is surely less than quantum / (64 h_x h_y h_z) in size is 0. A ghost's power
-//     never passes this test, for the ghost's error exceeds 2 H.
+// (8) Weights. g(x) = |x|^2 - v, v the weight, is taken for |x|^2; and in n, l_a = |a|^2 - (v_a - v_p) for |a|^2, v_a
+//     the weight of the vertex at a. As computed, l_a is wrong by at most 6.1u (|a|^2 + |v_a - v_p|). So the terms of n
+//     have 1.1u more than in (2), where N_j is made of these sums, which are found as |a|^2 + ||a|^2 - l_a|, to 10u.
+//     n_j is wrong by at most 13.3u N_j, and the factor 16.4 in (3) becomes 18: 36 where (4) has room for 60. The
+//     constant is |s_p|^2 + v_p + w . s_p, as computed g(p) + 2 v_p + w . s_p. Let M be the largest size of a weight.
+//     The terms of the power add up to at most 4 (H + M) + 2 W, and pass no more roundings than before: (4) and (6)
+//     hold with H + M for H.
+// (9) Zero. A power times det is the in-sphere determinant, weights included, a multiple of the set's quantum, and det
+//     is at most 6 * 8 h_x h_y h_z. So a power that is surely less than quantum / (64 h_x h_y h_z) in size is 0. A
+//     ghost's power never passes this test, for the ghost's error exceeds 2 H.
 //
 // Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_more_numbers, paradt__kept_sphere, paradt__kept_settle,
 // paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make, paradt__sphere_of_facet, paradt__sphere_power,
-// paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
+// paradt__centred_of, paradt__base_of, paradt__spoke_of, paradt__spoke_at.
 
 // Slots of the table: eight a point up to MANY_SPHERES; for more points one for 5 of them (for 8 where the mesh is a
 // slice of the result) up to MOST_SPHERES. There is memory for LEAST_SPHERES at least, as a block of that size keeps
@@ -9098,14 +9106,14 @@ enum { PARADT__MOST_SPHERES = 1 << 16, PARADT__MANY_SPHERES = 1 << 14, PARADT__L
 
 // Stars. Of a star of R cells the rim has R facets and 2 + R / 2 vertices (Euler). The edges of its rim stand in a
 // table. There are three: a small one for common stars, which stays in the first cache; a second for wide stars; and
-// one for larger stars, which is allocated when it is first needed.
+// one for larger stars, which is allocated when it is first needed. All vertices of the cavity have numbers; with
+// weights some may be inside it, and are hidden by the new point.
 enum {
-    PARADT__COMMON_RIM = 60, // few stars have more cells
-    PARADT__COMMON_VERTICES = 32,
-    PARADT__WIDE_RIM = 256,
+    PARADT__COMMON_VERTICES = 32, // few stars have more: 60 cells
     PARADT__WIDE_VERTICES = 130,
-    PARADT__MOST_RIM = 2048, // larger stars are made by >>insertion
-    PARADT__RIM_VERTICES = 1026,
+    PARADT__WIDE_RIM = 256,
+    PARADT__RIM_VERTICES = 1026, // stars of more are made by >>insertion
+    PARADT__MOST_RIM = 2048,
     PARADT__EDGE_UNIT = 32, // the length of a row of edges is a multiple of this
     PARADT__WIDE_UNITS = 5  // of a row for wide stars
 };
@@ -9132,7 +9140,7 @@ typedef struct paradt__sphere {
     paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // makes it a cache line, 64 bytes
 } paradt__sphere;
 
-// A point relative to the centre of the box, and its lift: |s|^2, or with sagittas g
+// A point relative to the centre of the box, and its lift: |s|^2, or with sagittas or weights g
 typedef struct paradt__centred {
     double s[3], lift;
 } paradt__centred;
@@ -9140,18 +9148,24 @@ typedef struct paradt__centred {
 // A vertex of the cavity: at first its position, then the edge that leads to it from the new point
 typedef union paradt__spoke {
     paradt_index vertex;
-    double edge[4]; // by axis; last the square of its length, or with sagittas how much larger g is at the vertex
+    double edge[4]; // by axis; last the square of its length less the weights' difference, or with sagittas how much
+                    // larger g is at the vertex
 } paradt__spoke;
 
 enum { PARADT__NUMBER_STEP = sizeof(paradt__spoke) }; // from the number of one vertex to the next one's
 
-// What the bounds on errors are made of: h_j, rounded up; H; and with sagittas E / 4u
+// What the bounds on errors are made of: h_j, rounded up; H, with weights H + M; and with sagittas E / 4u
 typedef struct paradt__frame {
     double half[3], square, slack;
 } paradt__frame;
 
-// How spheres are made: with quick or with sharp bounds on the errors; or with sharp ones, by sagittas
-typedef enum paradt__making { PARADT__MAKE_QUICKLY, PARADT__MAKE_SHARP, PARADT__MAKE_GRADED } paradt__making;
+// How spheres are made: with quick or with sharp bounds on the errors; or with sharp ones, by sagittas or with weights
+typedef enum paradt__making {
+    PARADT__MAKE_QUICKLY,
+    PARADT__MAKE_SHARP,
+    PARADT__MAKE_GRADED,
+    PARADT__MAKE_WEIGHTED
+} paradt__making;
 
 // The spheres, and what an insertion with their help works on
 typedef struct paradt__kept {
@@ -9169,9 +9183,9 @@ typedef struct paradt__kept {
     // Since the last call of paradt__kept_adapt: new cells; spheres made again; powers in doubt that the filter decided
     size_t made_count, missed_count, doubtful_count;
     paradt__making making;
-    void *table_block;             // NULL: the table is in the same block as this struct
-    paradt_index *large_edges;     // the table of edges for stars of up to large_rim cells; NULL: none
-    size_t large_rim, large_units; // large_units: of its rows
+    void *table_block;                  // NULL: the table is in the same block as this struct
+    paradt_index *large_edges;          // the table of edges for stars with up to large_vertices; NULL: none
+    size_t large_vertices, large_units; // large_units: of its rows
 
     // The vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in bytes in
     // `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
@@ -9226,7 +9240,15 @@ PARADT__INLINE paradt__centred paradt__centred_of(const paradt__kept *s, const d
     centred.s[1] = x[1] - s->centre[1];
     centred.s[2] = x[2] - s->centre[2];
     centred.lift = centred.s[0] * centred.s[0] + centred.s[1] * centred.s[1] + centred.s[2] * centred.s[2];
-    if (!PARADT__LIKELY(s->making != PARADT__MAKE_GRADED)) centred.lift = -x[3];
+    if (!PARADT__LIKELY(s->making < PARADT__MAKE_GRADED))
+        centred.lift = s->making == PARADT__MAKE_GRADED ? -x[3] : centred.lift - x[3];
+    return centred;
+}
+
+// Returns a point from which edges lead, with the part of its lift that the constants of spheres have: as it is, but
+// with weights |s|^2 and the weight.
+PARADT__INLINE paradt__centred paradt__base_of(paradt__making making, paradt__centred centred, const double *x) {
+    if (making == PARADT__MAKE_WEIGHTED) centred.lift += 2.0 * x[3];
     return centred;
 }
 
@@ -9238,6 +9260,7 @@ PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const doubl
     spoke.edge[1] = y;
     spoke.edge[2] = z;
     spoke.edge[3] = making == PARADT__MAKE_GRADED ? from[3] - to[3] : x * x + y * y + z * z;
+    if (making == PARADT__MAKE_WEIGHTED) spoke.edge[3] -= to[3] - from[3];
     return spoke;
 }
 
@@ -9251,8 +9274,17 @@ PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d)
     return paradt__abs(a * d) + paradt__abs(b * c);
 }
 
-// Makes the sphere through p, p + a, p + b and p + c, a cell that is positively oriented, by (1) to (5) and (7). a[3]:
-// |a|^2, or with sagittas g(p + a) - g(p).
+// Returns the size of an edge's part in n_j: what a[3] is, or in size less than. slack: E / 4u
+PARADT__INLINE double paradt__lift_size(paradt__making making, const double *a, double slack) {
+    double square;
+    if (making == PARADT__MAKE_GRADED) return paradt__abs(a[3]) + slack;
+    if (making != PARADT__MAKE_WEIGHTED) return a[3];
+    square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    return square + paradt__abs(square - a[3]);
+}
+
+// Makes the sphere through p, p + a, p + b and p + c, a cell that is positively oriented, by (1) to (5), (7) and (8).
+// p: by paradt__base_of; a[3]: |a|^2, less the weights' difference, or with sagittas g(p + a) - g(p).
 // The code has no branches, so that compilers can make vectors of several calls. Where det is too small, a larger
 // number stands in for it and the error is so large that all powers are in doubt. That is a choice by comparison: with
 // x87 registers a term like (safe - det) * 2^500 need not be 0 where both are equal, as one of them may have been
@@ -9269,8 +9301,8 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
     double det = ax * bcx + ay * bcy + az * bcz, size, sides; // size: P; sides: sum N_j h_j
     double floor, safe, inverse, wx, wy, wz, reach;           // reach: W
     if (making != PARADT__MAKE_QUICKLY) {
-        double sla = graded ? paradt__abs(la) + f->slack : la, slb = graded ? paradt__abs(lb) + f->slack : lb;
-        double slc = graded ? paradt__abs(lc) + f->slack : lc;
+        double sla = paradt__lift_size(making, a, f->slack), slb = paradt__lift_size(making, b, f->slack);
+        double slc = paradt__lift_size(making, c, f->slack);
         double sbcx = paradt__minor_size(by, bz, cy, cz), sbcy = paradt__minor_size(bz, bx, cz, cx);
         double sbcz = paradt__minor_size(bx, by, cx, cy), scax = paradt__minor_size(cy, cz, ay, az);
         double scay = paradt__minor_size(cz, cx, az, ax), scaz = paradt__minor_size(cx, cy, ax, ay);
@@ -9359,7 +9391,7 @@ PARADT__NOINLINE void paradt__kept_make(const paradt__insertion *build, paradt_i
                      *p = paradt__scene_record(&build->scene, vertices[3]);
         paradt__spoke to_a = paradt__spoke_of(s->making, p, a), to_b = paradt__spoke_of(s->making, p, b),
                       to_c = paradt__spoke_of(s->making, p, c);
-        paradt__centred centred = paradt__centred_of(s, p);
+        paradt__centred centred = paradt__base_of(s->making, paradt__centred_of(s, p), p);
         // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
         paradt__sphere_make(s->making, &s->frame, &centred, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
                             &sphere->constant, &sphere->error);
@@ -9427,7 +9459,8 @@ PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_i
         return (unsigned)paradt__conflicts(&build->scene, cell, x);
     paradt__kept_corners(build, cell, x, p);
     build->scene.space.counters.insphere_calls++;
-    sign = paradt__filter_insphere3(&build->scene.space, p, 3, 0);
+    if (build->scene.space.weighted) sign = paradt__filter_insphere3(&build->scene.space, p, 3, 1);
+    else sign = paradt__filter_insphere3(&build->scene.space, p, 3, 0);
     if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&build->scene.space, p);
     else build->kept->doubtful_count++;
     return (unsigned)(sign ? sign > 0 : paradt__perturbed(&build->scene.space, p));
@@ -9504,6 +9537,9 @@ static void paradt__kept_measure(paradt__insertion *build) {
         s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
         s->frame.square += s->frame.half[axis] * s->frame.half[axis];
     }
+    if (build->scene.space.weighted) s->making = PARADT__MAKE_WEIGHTED;
+    if (build->scene.space.weighted && build->scene.space.weights.top > -1000)
+        s->frame.square += paradt__power(build->scene.space.weights.top);
     s->box_square = s->frame.square;
     s->steepness = sqrt(s->box_square) * paradt__power(60);
     paradt__kept_grade(build);
@@ -9511,14 +9547,13 @@ static void paradt__kept_measure(paradt__insertion *build) {
         build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
 }
 
-// Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
+// Begins to keep spheres if the set has three coordinates and passes the floating-point filter. Else build->kept stays
+// NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
     size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
     size_t room, bytes, i;
-    if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
-        return PARADT_OK;
+    if (!build->scene.space.filtered || build->scene.space.ambient != 3) return PARADT_OK;
     while (size < 8 * build->count && size < PARADT__MANY_SPHERES) size *= 2;
     while (size < build->count / points && size < PARADT__MOST_SPHERES) size *= 2;
     room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
@@ -9552,12 +9587,36 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
 //
 // While a cavity is dug, a cell is in it if its sphere's tag has PARADT__IN_CAVITY; or the mark PARADT__CONFLICT, if
 // the sphere has been driven out of the table. When all of the cavity is dug its vertices have numbers, and a table of
-// edges, by the numbers of their ends, takes the place of turning around ridges. Cavities whose rim has more than
-// PARADT__MOST_RIM facets, or no table of edges, are starred by >>insertion.
+// edges, by the numbers of their ends, takes the place of turning around ridges. Cavities with more vertices than
+// PARADT__RIM_VERTICES, or no table of edges, are starred by >>insertion.
+//
+// A weighted point is hidden if the cell that it is in is not in conflict with it.
 //
 // Between two insertions no tag has PARADT__IN_CAVITY, kept->evicted is 0, and kept->next is the point to come.
-// Doors: paradt__kept_insert, paradt__kept_insert_any, paradt__kept_number,
-// paradt__kept_remake_plain, paradt__kept_make_graded, paradt__new_cells_pad, paradt__kept_fetch_around.
+// Doors: paradt__kept_insert, paradt__kept_insert_any, paradt__kept_number, paradt__kept_look_ahead,
+// paradt__kept_remake_plain, paradt__kept_make_graded, paradt__new_cells_pad.
+
+// Is the point for certain inside the cell? Where a facet's other cell has the greater power it is on this cell's side.
+static int paradt__kept_is_inside(paradt__insertion *build, paradt_index cell, const paradt__centred *centred) {
+    const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+    double power = paradt__sphere_power(sphere, centred), error = sphere->error;
+    int i, inside = paradt__is_finite_cell(build->scene.mesh.vertices + 4 * (size_t)cell, 4);
+    for (i = 0; i < 4; i++) {
+        sphere = paradt__kept_sphere(build, build->scene.mesh.links[4 * (size_t)cell + (size_t)i] >> 2);
+        inside &= paradt__sphere_power(sphere, centred) - power > 1.0000001 * (sphere->error + error);
+    }
+    return inside;
+}
+
+// Finds a cell in conflict with the point where the walk down the powers goes on to no neighbour of a cell. Returns
+// PARADT__NOWHERE if there is none, for the point is hidden. Then kept->start is the cell that it is in.
+PARADT__NOINLINE paradt_index paradt__kept_locate_exactly(paradt__insertion *build, paradt_index cell,
+                                                          const paradt__centred *centred, const double *x) {
+    if (!build->scene.space.weighted) return paradt__walk(&build->scene, cell, x);
+    if (!paradt__kept_is_inside(build, cell, centred)) cell = paradt__walk(&build->scene, cell, x);
+    build->kept->start = cell;
+    return paradt__kept_settle(build, cell, centred, x) ? cell : PARADT__NOWHERE;
+}
 
 // Finds a cell in conflict with the point, from neighbour to neighbour down the powers. The powers of a point with
 // regard to two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards
@@ -9583,7 +9642,7 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
         }
-        if (best == cell) return paradt__walk(&build->scene, cell, x);
+        if (best == cell) return paradt__kept_locate_exactly(build, cell, centred, x);
         cell = best;
         power = least;
     }
@@ -9626,16 +9685,18 @@ PARADT__INLINE void paradt__kept_number(paradt__dig *dig, paradt_index vertex) {
     dig->next += is_new & PARADT__NUMBER_STEP;
 }
 
+enum { PARADT__MOST_NUMBERS = (PARADT__RIM_VERTICES + 1) * PARADT__NUMBER_STEP }; // that a cavity keeps
+
 // Keeps numbers in bounds; to be called for every PARADT__DIG_BATCH cells that are dug. The numbers of a cavity with
 // more than PARADT__RIM_VERTICES vertices are not used, so they may be given twice.
 PARADT__INLINE void paradt__kept_limit_numbers(paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP;
+    uint32_t most = PARADT__MOST_NUMBERS;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
 }
 
 // Publishes this cavity's numbering. Numbers only grow, so stale ones are recognised by being below `first`.
 PARADT__INLINE void paradt__kept_end_numbers(paradt__kept *s, const paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP, end = dig->next - dig->first;
+    uint32_t most = PARADT__MOST_NUMBERS, end = dig->next - dig->first;
     s->first = dig->first;
     s->spokes_end = end < most ? end : most;
     s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->spokes;
@@ -9802,29 +9863,35 @@ PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_i
     build->rim_count = dig.rim_count;
     paradt__kept_end_numbers(build->kept, &dig);
     PARADT_ASSERT(dig.rim_count >= 4 && dig.rim_count % 2 == 0);
-    PARADT_ASSERT(dig.rim_count > PARADT__MOST_RIM ||
+    PARADT_ASSERT(build->kept->spokes_end == PARADT__MOST_NUMBERS || build->scene.space.weighted ||
                   build->kept->spokes_end == (2 + dig.rim_count / 2) * PARADT__NUMBER_STEP);
+    PARADT_ASSERT(build->kept->spokes_end >= (2 + dig.rim_count / 2) * PARADT__NUMBER_STEP ||
+                  build->kept->spokes_end == PARADT__MOST_NUMBERS);
     return PARADT_OK;
 }
 
-// Allocates a table of edges that is large enough for the cavity's rim, unless it would take more than half of the
+// Returns the number of the cavity's vertices, or PARADT__RIM_VERTICES + 1 if there are more.
+PARADT__INLINE size_t paradt__kept_vertices(const paradt__kept *s) {
+    return s->spokes_end / PARADT__NUMBER_STEP;
+}
+
+// Allocates a table of edges that is large enough for the cavity's vertices, unless it would take more than half of the
 // memory that the cells take; the largest table, which few stars need, may take an eighth of it. If there is no memory
 // there is no table.
 PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    size_t star = PARADT__WIDE_RIM, vertices, units;
-    if (build->rim_count <= PARADT__WIDE_RIM || build->rim_count <= s->large_rim || build->rim_count > PARADT__MOST_RIM)
-        return;
-    while (star < build->rim_count) star *= 2;
+    size_t star = PARADT__WIDE_RIM, wanted = paradt__kept_vertices(s), vertices, units;
+    if (wanted <= PARADT__WIDE_VERTICES || wanted <= s->large_vertices || wanted > PARADT__RIM_VERTICES) return;
+    while (2 + star / 2 < wanted) star *= 2;
     vertices = 2 + star / 2;
     units = (vertices + PARADT__EDGE_UNIT - 1) / PARADT__EDGE_UNIT | 1; // odd: columns spread over the sets of a cache
     if (vertices * units * PARADT__EDGE_UNIT > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
     paradt__release(build->memory, s->large_edges);
-    s->large_rim = 0;
+    s->large_vertices = 0;
     s->large_edges =
         (paradt_index *)paradt__alloc(build->memory, vertices * units * PARADT__EDGE_UNIT, sizeof *s->large_edges);
     if (!s->large_edges) return;
-    s->large_rim = star;
+    s->large_vertices = vertices;
     s->large_units = units;
 }
 
@@ -9914,7 +9981,7 @@ PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *ed
 // Stores and links the new cells of a star that is larger than common ones.
 PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    if (build->rim_count <= PARADT__WIDE_RIM)
+    if (paradt__kept_vertices(s) <= PARADT__WIDE_VERTICES)
         paradt__kept_link(build, s->wide_edges, PARADT__WIDE_UNITS, paradt__kept_links_plain);
     else paradt__kept_link(build, s->large_edges, s->large_units, paradt__kept_links_plain);
 }
@@ -10006,7 +10073,7 @@ PARADT__INLINE void paradt__kept_make_any(paradt__making making, const paradt__i
                                           paradt__new_cells *star, const double *x, const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const paradt__frame frame = s->frame;
-    paradt__centred p = *centred, next = s->next;
+    paradt__centred p = paradt__base_of(making, *centred, x), next = s->next;
     paradt__four_cells four;
     paradt__spoke *spoke = s->spokes, *end = paradt__spoke_at(spoke, s->spokes_end);
     int i, lane, best = 0;
@@ -10032,6 +10099,12 @@ PARADT__NOINLINE void paradt__kept_make_sharp_plain(const paradt__insertion *bui
     paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, centred);
 }
 
+// The kernel `make` with weights
+PARADT__NOINLINE void paradt__kept_make_weighted_plain(const paradt__insertion *build, paradt__new_cells *star,
+                                                       const double *x, const paradt__centred *centred) {
+    paradt__kept_make_any(PARADT__MAKE_WEIGHTED, build, star, x, centred);
+}
+
 // The kernel `make` for sagittas; it has no twin for AVX2
 PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, paradt__new_cells *star, const double *x,
                                                const paradt__centred *centred) {
@@ -10045,6 +10118,7 @@ static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_
     if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY))
         paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, centred);
     else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, centred);
+    else if (making == PARADT__MAKE_WEIGHTED) paradt__kept_make_weighted_plain(build, star, x, centred);
     else paradt__kept_make_graded(build, star, x, centred);
 }
 
@@ -10108,7 +10182,7 @@ static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) 
     return PARADT_OK;
 }
 
-// Stars a cavity whose rim is too large for the tables of edges, by >>insertion.
+// Stars a cavity that is too large for the tables of edges, by >>insertion.
 static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_index point) {
     paradt__kept *s = build->kept;
     paradt_status status = paradt__cavity_star(build, point);
@@ -10142,6 +10216,13 @@ PARADT__INLINE void paradt__kept_dug(paradt__insertion *build) {
     if (!PARADT__LIKELY(s->missed_count + s->doubtful_count <= s->mask)) paradt__kept_adapt(build);
 }
 
+// Ends an insertion that changes nothing.
+static paradt_status paradt__kept_hide(paradt__insertion *build) {
+    build->update.killed_count = build->update.made_count = 0;
+    paradt__kept_look_ahead(build);
+    return PARADT_OK;
+}
+
 // Inserts a point that is kept->next: locate, dig, star. Inlined with constant kernels
 PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
                                                      const paradt__kept_kernels *kernels) {
@@ -10149,15 +10230,20 @@ PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, p
     const double *x = paradt__scene_record(&build->scene, point);
     paradt__centred centred = s->next;
     paradt_index first = paradt__kept_locate(build, &centred, x);
-    paradt_status status = paradt__kept_dig(build, first, &centred, x, kernels);
+    paradt_status status;
     int is_common;
+    if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
+    status = paradt__kept_dig(build, first, &centred, x, kernels);
     if (status) return status;
     paradt__kept_look_ahead(build);
     paradt__kept_dug(build);
-    is_common = build->rim_count <= PARADT__COMMON_RIM;
-    if (!PARADT__LIKELY(is_common)) paradt__kept_widen(build);
-    if (!PARADT__LIKELY(is_common) && build->rim_count > PARADT__WIDE_RIM && build->rim_count > s->large_rim)
-        return paradt__kept_star_large(build, point);
+    is_common = s->spokes_end <= (int)PARADT__COMMON_VERTICES * (int)PARADT__NUMBER_STEP;
+    if (!PARADT__LIKELY(is_common)) {
+        size_t vertices = paradt__kept_vertices(s);
+        paradt__kept_widen(build);
+        if (vertices > PARADT__WIDE_VERTICES && vertices > s->large_vertices)
+            return paradt__kept_star_large(build, point);
+    }
     status = paradt__kept_places(build);
     if (status) return status;
     paradt__kept_rows(build, point, kernels);
@@ -10174,27 +10260,6 @@ static paradt_status paradt__kept_insert(paradt__insertion *build, paradt_index 
     const paradt__kept_kernels kernels = {paradt__kept_spread_plain, paradt__kept_remake_plain, paradt__kept_make_plain,
                                           paradt__kept_row_plain, paradt__kept_links_plain};
     return paradt__kept_insert_any(build, point, &kernels);
-}
-
-// Prefetches what the insertion of a point in conflict with the cell looks at, up to three facets away. If nothing of
-// it is in a cache, the insertion would otherwise wait for one thing after another.
-PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, paradt_index cell) {
-    enum { CELLS = 1 + 4 + 12 }; // at distances 0, 1 and 2
-    const paradt__kept *s = build->kept;
-    paradt_index around[CELLS];
-    size_t count = 1, i, j;
-    around[0] = cell;
-    for (i = 0; i < count; i++) {
-        const paradt_index *vertices = build->scene.mesh.vertices + 4 * (size_t)around[i];
-        const paradt_index *links = build->scene.mesh.links + 4 * (size_t)around[i];
-        for (j = 0; j < 4; j++) {
-            paradt_index other = links[j] >> 2;
-            paradt__fetch_row(build->scene.mesh.vertices, build->scene.mesh.links, (size_t)other, 4);
-            PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
-            if (vertices[j] >= 0) PARADT__PREFETCH(paradt__scene_record(&build->scene, vertices[j]));
-            if (count < CELLS) around[count++] = other;
-        }
-    }
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -10382,9 +10447,17 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const _
     return sign > 0 ? _mm256_fmsub_pd(a[j], b[k], product) : _mm256_fmadd_pd(a[j], b[k], product);
 }
 
+// paradt__lift_size of four edges
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_lift_sizes(paradt__making making, const __m256d *a) {
+    __m256d square;
+    if (making != PARADT__MAKE_WEIGHTED) return a[3];
+    square = paradt__dot_avx2(a, a);
+    return _mm256_add_pd(square, paradt__abs_avx2(_mm256_sub_pd(square, a[3])));
+}
+
 // Computes P and sum N_j h_j of paradt__sphere_make for four cells.
-PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
-                                                    const __m256d *c, __m256d *size, __m256d *sides) {
+PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(paradt__making making, const __m256d *half, const __m256d *a,
+                                                    const __m256d *b, const __m256d *c, __m256d *size, __m256d *sides) {
     __m256d sa[3], sb[3], sc[3], m[3], n[3];
     int i;
     for (i = 0; i < 3; i++) {
@@ -10393,13 +10466,14 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
         sc[i] = paradt__abs_avx2(c[i]);
         m[i] = _mm256_add_pd(_mm256_add_pd(sa[i], sb[i]), sc[i]);
     }
-    if (sharp) {
-        __m256d bc[3];
+    if (making != PARADT__MAKE_QUICKLY) {
+        __m256d bc[3], la = paradt__four_lift_sizes(making, a), lb = paradt__four_lift_sizes(making, b);
+        __m256d lc = paradt__four_lift_sizes(making, c);
         for (i = 0; i < 3; i++) {
             bc[i] = paradt__cross_avx2(sb, sc, i, -1);
-            n[i] = _mm256_mul_pd(a[3], bc[i]);
-            n[i] = _mm256_fmadd_pd(b[3], paradt__cross_avx2(sc, sa, i, -1), n[i]);
-            n[i] = _mm256_fmadd_pd(c[3], paradt__cross_avx2(sa, sb, i, -1), n[i]);
+            n[i] = _mm256_mul_pd(la, bc[i]);
+            n[i] = _mm256_fmadd_pd(lb, paradt__cross_avx2(sc, sa, i, -1), n[i]);
+            n[i] = _mm256_fmadd_pd(lc, paradt__cross_avx2(sa, sb, i, -1), n[i]);
         }
         *size = paradt__dot_avx2(sa, bc);
         *sides = paradt__dot_avx2(half, n);
@@ -10413,14 +10487,14 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
 }
 
 // Makes the spheres of four cells, as paradt__sphere_make does. sphere: the normals by axis, and the constants; p: by
-// axis relative to the box's centre, and the lift; a, b, c: by axis, and the squares of their lengths
-PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame *f, const __m256d *p,
+// axis relative to the box's centre, and the lift; a, b, c: by axis, and what the fourth element of a spoke's edge is
+PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(paradt__making making, const paradt__frame *f, const __m256d *p,
                                                       const __m256d *a, const __m256d *b, const __m256d *c,
                                                       __m256d *sphere, __m256d *error) {
     const __m256d half[3] = {_mm256_set1_pd(f->half[0]), _mm256_set1_pd(f->half[1]), _mm256_set1_pd(f->half[2])};
     __m256d ab[3], v[3], w[3], sizes[3], size, sides, floor, det, inverse, doubt;
     int i;
-    paradt__four_sizes(sharp, half, a, b, c, &size, &sides);
+    paradt__four_sizes(making, half, a, b, c, &size, &sides);
     floor = _mm256_set1_pd(1.0 / PARADT__NO_ERROR_BOUND);
     floor = _mm256_fmadd_pd(sides, _mm256_set1_pd(1.0 / PARADT__FLATTEST), floor);
     floor = _mm256_fmadd_pd(size, _mm256_set1_pd(32.0 * PARADT__UNIT_ERROR), floor);
@@ -10473,38 +10547,46 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, parad
     _mm_store_pd(to[3] + 4, _mm256_extractf128_pd(rest_13, 1));
 }
 
-// Returns the differences of four points to another point, by axis.
-PARADT__AVX2 PARADT__INLINE void paradt__four_differences(const double *a, const double *b, const double *c,
-                                                          const double *d, const __m256d *point, __m256d *to) {
-    __m256d xy_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(c), 1);
-    __m256d xy_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(b)), _mm_loadu_pd(d), 1);
-    __m256d z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(a + 2)), _mm_load_sd(c + 2), 1);
-    __m256d z_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(b + 2)), _mm_load_sd(d + 2), 1);
+// Returns two elements of a row and two of another.
+PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const double *b) {
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
+}
+
+// Returns the differences of four points to another point, by axis; weighted: and of their weights
+PARADT__AVX2 PARADT__INLINE void paradt__four_differences(int weighted, const double *a, const double *b,
+                                                          const double *c, const double *d, const __m256d *point,
+                                                          __m256d *to) {
+    __m256d xy_02 = paradt__two_halves(a, c), xy_13 = paradt__two_halves(b, d), z_02, z_13;
     to[0] = _mm256_sub_pd(_mm256_unpacklo_pd(xy_02, xy_13), point[0]);
     to[1] = _mm256_sub_pd(_mm256_unpackhi_pd(xy_02, xy_13), point[1]);
+    if (weighted) {
+        z_02 = paradt__two_halves(a + 2, c + 2);
+        z_13 = paradt__two_halves(b + 2, d + 2);
+        to[3] = _mm256_sub_pd(_mm256_unpackhi_pd(z_02, z_13), point[3]);
+    } else {
+        z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(a + 2)), _mm_load_sd(c + 2), 1);
+        z_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(b + 2)), _mm_load_sd(d + 2), 1);
+    }
     to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
 }
 
 // Replaces the vertices in kept->spokes by the edges from the point to them. Any vertex will do to fill up the last
 // four.
-PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
+PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(paradt__making making, const paradt__insertion *build,
+                                                         const __m256d *point) {
     paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
     for (i = 0; i < 3; i++) end[i].vertex = 0;
     for (; at < end; at += 4) {
-        __m256d to[4];
-        paradt__four_differences(paradt__scene_record(&build->scene, at[0].vertex),
+        __m256d to[4], square;
+        paradt__four_differences(making == PARADT__MAKE_WEIGHTED, paradt__scene_record(&build->scene, at[0].vertex),
                                  paradt__scene_record(&build->scene, at[1].vertex),
                                  paradt__scene_record(&build->scene, at[2].vertex),
                                  paradt__scene_record(&build->scene, at[3].vertex), point, to);
-        to[3] = paradt__dot_avx2(to, to);
+        square = paradt__dot_avx2(to, to);
+        to[3] = making == PARADT__MAKE_WEIGHTED ? _mm256_sub_pd(square, to[3]) : square;
         paradt__four_rows(to, at[0].edge, at[1].edge, at[2].edge, at[3].edge);
     }
-}
-
-// Returns two elements of a row and two of another.
-PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const double *b) {
-    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
 }
 
 // Returns, by axis, the edges to the vertices with number `vertex` of four new cells.
@@ -10530,14 +10612,15 @@ PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m1
     return cell[paradt__trailing_zeros((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(powers, least, _CMP_EQ_OQ)))];
 }
 
-// The kernel `make` for quick or sharp bounds
-PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt__insertion *build,
+// The kernel `make` but for sagittas
+PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(paradt__making making, const paradt__insertion *build,
                                                         paradt__new_cells *star, const double *x,
                                                         const paradt__centred *centred) {
     paradt__kept *s = build->kept;
-    const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2])};
+    const __m256d point[4] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2]),
+                              _mm256_set1_pd(making == PARADT__MAKE_WEIGHTED ? x[3] : 0.0)};
     const __m256d p[4] = {_mm256_set1_pd(centred->s[0]), _mm256_set1_pd(centred->s[1]), _mm256_set1_pd(centred->s[2]),
-                          _mm256_set1_pd(centred->lift)};
+                          _mm256_set1_pd(paradt__base_of(making, *centred, x).lift)};
     const __m256d next[3] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1]), _mm256_set1_pd(s->next.s[2])};
     const paradt__frame frame = s->frame;
     paradt__sphere *table = s->table;
@@ -10545,7 +10628,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
     __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
     __m128i best = _mm_set1_epi32(star->base[0] >> 2);
     int i, count = star->count;
-    paradt__kept_edges_avx2(build, point);
+    paradt__kept_edges_avx2(making, build, point);
     paradt__new_cells_pad(star);
     for (i = 0; i < count; i += 4) {
         __m256d a[4], b[4], c[4], sphere[4], error, power, less;
@@ -10553,7 +10636,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
         paradt__four_edges(s, star->offsets + i, 1, a);
         paradt__four_edges(s, star->offsets + i, 0, b);
         paradt__four_edges(s, star->offsets + i, 2, c);
-        paradt__four_spheres(sharp, &frame, p, a, b, c, sphere, &error);
+        paradt__four_spheres(making, &frame, p, a, b, c, sphere, &error);
         paradt__four_store(table, mask, cells, sphere, error);
         power =
             _mm256_add_pd(sphere[3], paradt__dot_avx2(sphere, next)); // without the next point's lift, which all have
@@ -10568,41 +10651,52 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
 
 PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__insertion *build, paradt__new_cells *star,
                                                                 const double *x, const paradt__centred *centred) {
-    paradt__kept_make_four(1, build, star, x, centred);
+    paradt__kept_make_four(PARADT__MAKE_SHARP, build, star, x, centred);
+}
+
+PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_weighted_avx2(const paradt__insertion *build,
+                                                                   paradt__new_cells *star, const double *x,
+                                                                   const paradt__centred *centred) {
+    paradt__kept_make_four(PARADT__MAKE_WEIGHTED, build, star, x, centred);
 }
 
 // The kernel `make`
 PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
                                                 const double *x, const paradt__centred *centred) {
     paradt__making making = build->kept->making;
-    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, centred);
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY))
+        paradt__kept_make_four(PARADT__MAKE_QUICKLY, build, star, x, centred);
     else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, centred);
+    else if (making == PARADT__MAKE_WEIGHTED) paradt__kept_make_weighted_avx2(build, star, x, centred);
     else paradt__kept_make_graded(build, star, x, centred);
 }
 
-// Makes the spheres of four cells again, none of them a ghost.
-PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertion *build, const int *cells) {
+// Makes the spheres of four cells again, none of them a ghost. making: kept->making, or a constant
+PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(paradt__making making, const paradt__insertion *build,
+                                                          const int *cells) {
     const paradt__kept *s = build->kept;
     const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
                                _mm256_set1_pd(s->centre[2])};
-    __m256d corner[4][4], p[4], sphere[4], error;
+    __m256d corner[4][4], p[4], sphere[4], error, square;
+    const int weighted = making == PARADT__MAKE_WEIGHTED;
     int i, axis;
     for (i = 0; i < 4; i++) {
         const paradt_index *vertices = build->scene.mesh.vertices + i;
-        const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
-        paradt__four_differences(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
+        const __m256d zero[4] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
+        paradt__four_differences(weighted, paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
                                  paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
                                  paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
                                  paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
     }
     for (i = 0; i < 3; i++) {
         for (axis = 0; axis < 3; axis++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
-        corner[i][3] = paradt__dot_avx2(corner[i], corner[i]);
+        square = paradt__dot_avx2(corner[i], corner[i]);
+        corner[i][3] = weighted ? _mm256_sub_pd(square, _mm256_sub_pd(corner[i][3], corner[3][3])) : square;
     }
     for (axis = 0; axis < 3; axis++) p[axis] = _mm256_sub_pd(corner[3][axis], centre[axis]);
-    p[3] = paradt__dot_avx2(p, p);
-    paradt__four_spheres(s->making == PARADT__MAKE_SHARP, &s->frame, p, corner[1], corner[0], corner[2], sphere,
-                         &error);
+    square = paradt__dot_avx2(p, p);
+    p[3] = weighted ? _mm256_add_pd(square, corner[3][3]) : square;
+    paradt__four_spheres(making, &s->frame, p, corner[1], corner[0], corner[2], sphere, &error);
     paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), sphere, error);
 }
 
@@ -10623,7 +10717,10 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     }
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
-    for (i = 0; i < missing; i += 4) paradt__kept_remake_four(build, cells + i);
+    for (i = 0; i < missing && s->making == PARADT__MAKE_WEIGHTED; i += 4)
+        paradt__kept_remake_four(PARADT__MAKE_WEIGHTED, build, cells + i);
+    for (i = 0; i < missing && s->making != PARADT__MAKE_WEIGHTED; i += 4)
+        paradt__kept_remake_four(s->making, build, cells + i);
     for (i = 0; i < missing; i++) {
         paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
         if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
@@ -10763,6 +10860,7 @@ static paradt_status paradt__insert_next(paradt__insertion *build, paradt_index 
     paradt_status status = PARADT_OK;
     if (cell == PARADT__NOWHERE) {
         build->update.killed_count = build->update.made_count = 0;
+        if (build->kept) paradt__kept_look_ahead(build);
     } else if (!build->kept) {
         status = paradt__insert_at(build, point, cell);
     } else {
@@ -10807,6 +10905,27 @@ PARADT__OPTIONAL paradt_status paradt__insertion_more(paradt__insertion *build, 
     status = paradt__insertion_go_on(build, paradt__insertion_point(build, inserted), build->count,
                                      paradt__insertion_start(build));
     return status ? status : paradt__insertion_go(build, progress);
+}
+
+// Prefetches what the insertion of a point in conflict with the cell looks at, up to three facets away. If nothing of
+// it is in a cache, the insertion would otherwise wait for one thing after another.
+PARADT__OPTIONAL void paradt__kept_fetch_around(const paradt__insertion *build, paradt_index cell) {
+    enum { CELLS = 1 + 4 + 12 }; // at distances 0, 1 and 2
+    const paradt__kept *s = build->kept;
+    paradt_index around[CELLS];
+    size_t count = 1, i, j;
+    around[0] = cell;
+    for (i = 0; i < count; i++) {
+        const paradt_index *vertices = build->scene.mesh.vertices + 4 * (size_t)around[i];
+        const paradt_index *links = build->scene.mesh.links + 4 * (size_t)around[i];
+        for (j = 0; j < 4; j++) {
+            paradt_index other = links[j] >> 2;
+            paradt__fetch_row(build->scene.mesh.vertices, build->scene.mesh.links, (size_t)other, 4);
+            PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
+            if (vertices[j] >= 0) PARADT__PREFETCH(paradt__scene_record(&build->scene, vertices[j]));
+            if (count < CELLS) around[count++] = other;
+        }
+    }
 }
 
 // Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
@@ -18853,7 +18972,7 @@ static unsigned paradt__fine_plain(const paradt__insertion *build, size_t cell) 
 PARADT__AVX2 PARADT__INLINE void paradt__four_vertices(const paradt__insertion *build, const paradt_index *vertices,
                                                        const paradt_index *handles, const __m256d *point, __m256d *to) {
     const double *records = build->scene.records;
-    paradt__four_differences(records + 3 * (size_t)vertices[handles[0]], records + 3 * (size_t)vertices[handles[1]],
+    paradt__four_differences(0, records + 3 * (size_t)vertices[handles[0]], records + 3 * (size_t)vertices[handles[1]],
                              records + 3 * (size_t)vertices[handles[2]], records + 3 * (size_t)vertices[handles[3]],
                              point, to);
 }
@@ -18874,7 +18993,7 @@ PARADT__AVX2 static unsigned paradt__fine_avx2(const paradt__insertion *build, s
     }
     p[3] = paradt__dot_avx2(p, p);
     // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-    paradt__four_spheres(0, &build->kept->frame, p, edge[1], edge[0], edge[2], sphere, &error);
+    paradt__four_spheres(PARADT__MAKE_QUICKLY, &build->kept->frame, p, edge[1], edge[0], edge[2], sphere, &error);
     least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND * 0.5);
     for (i = 0; i < 4; i++) {
         paradt_index apexes[4]; // from the first of a facet's cells; else any vertex
@@ -19298,7 +19417,7 @@ static paradt_status paradt__repair_begin(paradt__repair *r) {
     status = paradt__repair_adopt(r);
     if (status) return status;
     build->count = build->inserted = 8; // few: no more is kept of spheres than what they are made with
-    if (r->t->dim == 3) status = paradt__kept_begin(build);
+    if (r->t->dim == 3 && !r->set.space.weighted) status = paradt__kept_begin(build);
     build->count = build->inserted = r->set.count;
     r->mend.most_flips = 2 * r->t->cell_count + 1000;
     return status ? status

@@ -19,14 +19,15 @@ static int stops(void *user, double fraction) {
     return fraction > 0;
 }
 
-// Inserts points in the given order: all of them, or those before the first report of progress.
-static void begin(building *b, const double *x, size_t points, int all) {
+// Inserts points in the given order: all of them, or those before the first report of progress. weights: may be NULL
+static void begin_weighted(building *b, const double *x, const double *weights, size_t points, int all) {
     paradt_points given = paradt_points_f64(x, points, 3);
     paradt_options options = {0};
     paradt__meter meter;
     uint32_t told = 0;
     paradt__progress progress;
     size_t bad;
+    given.weights = weights;
     options.progress = all ? NULL : stops;
     paradt__meter_begin(&meter, &options);
     progress = paradt__progress_of(&meter, &told, 1.0);
@@ -42,6 +43,10 @@ static void begin(building *b, const double *x, size_t points, int all) {
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
     paradt__insertion_begin(&b->build, &b->set, b->order, &b->memory);
     assert_int_equal(paradt__insertion_run(&b->build, &progress), all ? PARADT_OK : PARADT_ERROR_CANCELLED);
+}
+
+static void begin(building *b, const double *x, size_t points, int all) {
+    begin_weighted(b, x, NULL, points, all);
 }
 
 static void end(building *b) {
@@ -156,6 +161,40 @@ static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
     }
 }
 
+// Points that hide all others within their reach have small stars, whose cavities have many vertices inside.
+static void heavy_points_hide_those_around_them(void **state) {
+    static const size_t sizes[] = {40, 130, 600, 1500, 4000, 30000};
+    static double x[3 * MOST_POINTS], weights[MOST_POINTS];
+    (void)state;
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        size_t n = sizes[k], hidden = 0;
+        for (size_t i = 0; i < 3 * n + 3; i++) x[i] = random_coordinate(i);
+        for (size_t i = 0; i <= n; i++) weights[i] = 0;
+        for (size_t j = 0; j < 3; j++) x[3 * n + j] = 0.5;
+        weights[n] = 0.3;
+        for (size_t i = n / 2; i < n; i += n / 10 + 1) weights[i] = 0.01;
+        building b;
+        begin_weighted(&b, x, weights, n + 1, 1);
+        check_links(&b.build);
+        unsigned char *seen = calloc(n + 1, 1);
+        for (size_t c = 0; c < b.build.scene.mesh.count; c++) {
+            const paradt_index *vertices = b.build.scene.mesh.vertices + 4 * c;
+            for (int i = 0; i < 4 && vertices[0] != PARADT__DEAD; i++)
+                if (vertices[i] >= 0) seen[vertices[i]] = 1;
+        }
+        assert_true(seen[b.order[n]]);
+        for (size_t i = 0; i < n; i++) {
+            double distance2 = 0;
+            for (size_t j = 0; j < 3; j++) distance2 += (x[3 * i + j] - 0.5) * (x[3 * i + j] - 0.5);
+            hidden += !seen[b.order[i]];
+            if (weights[i] == 0 && distance2 < 0.04) assert_false(seen[b.order[i]]);
+        }
+        assert_in_range(hidden, n / 10, n);
+        free(seen);
+        end(&b);
+    }
+}
+
 // --- errors
 
 typedef struct exact_vector {
@@ -202,14 +241,31 @@ static void exact_add_determinant(mpq_t sum, const mpq_t factor, const exact_vec
     mpq_clear(y);
 }
 
+// Subtracts the difference of two points' weights.
+static void exact_weigh(exact_vector *v, const double *from, const double *to) {
+    mpq_t w;
+    mpq_init(w);
+    mpq_set_d(w, to[3]);
+    mpq_sub(v->square, v->square, w);
+    mpq_set_d(w, from[3]);
+    mpq_add(v->square, v->square, w);
+    mpq_clear(w);
+}
+
 // Returns the error of `power`: its distance from the exact power of x with regard to the sphere through four points.
-static double error_of_power(double power, const double *const *v, const double *x) {
+static double error_of_power(double power, const double *const *v, const double *x, int weighted) {
     exact_vector a, b, c, f;
     mpq_t one, det, sum, said;
     exact_begin(&a, v[3], v[0]);
     exact_begin(&b, v[3], v[1]);
     exact_begin(&c, v[3], v[2]);
     exact_begin(&f, v[3], x);
+    if (weighted) {
+        exact_weigh(&a, v[3], v[0]);
+        exact_weigh(&b, v[3], v[1]);
+        exact_weigh(&c, v[3], v[2]);
+        exact_weigh(&f, v[3], x);
+    }
     mpq_inits(one, det, sum, said, NULL);
     mpq_set_ui(one, 1, 1);
     exact_add_determinant(det, one, &a, &b, &c);
@@ -247,7 +303,7 @@ static void check_powers(const building *b) {
             paradt__centred seen = paradt__centred_of(b->build.kept, x);
             const paradt__sphere *sphere = paradt__kept_sphere(&b->build, (paradt_index)at);
             double power = paradt__sphere_power(sphere, &seen);
-            assert_true(error_of_power(power, v, x) <= sphere->error);
+            assert_true(error_of_power(power, v, x, b->build.scene.space.weighted) <= sphere->error);
             asked++;
             vague += other != vertices[0] && other != vertices[1] && other != vertices[2] && other != vertices[3] &&
                      !(fabs(power) > sphere->error);
@@ -270,6 +326,31 @@ static void powers_are_as_exact_as_they_say(void **state) {
             for (size_t i = 0; i <= b.build.kept->mask; i++) b.build.kept->table[i].tag = PARADT__NO_SPHERE;
         }
         check_powers(&b);
+        end(&b);
+    }
+}
+
+// With weights of all sizes, positive and negative
+static void powers_with_weights_are_as_exact_as_they_say(void **state) {
+    static const double sizes[] = {1e-300, 1e-9, 0.002, 1.0, 1e9};
+    static double x[3 * POINTS], weights[POINTS];
+    building b;
+    (void)state;
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        // where weights are large most points are hidden but for those in convex position with their weights
+        for (size_t i = 0; i < 3 * POINTS; i++) x[i] = random_coordinate(i);
+        for (size_t i = 0; i < POINTS; i++) {
+            double square = 0;
+            for (size_t j = 0; j < 3; j++) square += (x[3 * i + j] - 0.3) * (x[3 * i + j] - 0.3);
+            weights[i] = sizes[k] * (k < 3 ? random_coordinate(i + 77) - 0.5 : -square);
+        }
+        begin_weighted(&b, x, weights, POINTS, 1);
+        if (sizes[k] > 1e-200) { // else they are out of the filters' range
+            assert_int_equal(b.build.kept->making, PARADT__MAKE_WEIGHTED);
+            check_powers(&b);
+        } else {
+            assert_null(b.build.kept);
+        }
         end(&b);
     }
 }
@@ -317,7 +398,9 @@ int main(void) {
         cmocka_unit_test(numbers_of_vertices_begin_again),
         cmocka_unit_test(stars_after_a_very_large_one_are_whole),
         cmocka_unit_test(the_middle_of_a_sphere_has_a_cell_for_each_facet),
+        cmocka_unit_test(heavy_points_hide_those_around_them),
         cmocka_unit_test(powers_are_as_exact_as_they_say),
+        cmocka_unit_test(powers_with_weights_are_as_exact_as_they_say),
         cmocka_unit_test(powers_by_sagittas_tell_more),
         cmocka_unit_test(near_a_plane_there_are_no_sagittas),
     };
