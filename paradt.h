@@ -1518,7 +1518,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //
 // READING PATHS
 //
-//     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres and >>insertion in space, the same once more
+//     insertion         >>mesh, >>scene, >>insertion; then >>kept spheres to >>insertion by spheres, the same once more
 //                       where it is fast; >>inserting
 //     InCoDe, DeWall    >>mesh, >>facets, >>grid, >>pencil, >>search, >>first simplex, >>front, >>incode, >>dewall
 //     regions, ranks    >>cuts, >>call; >>reach, >>regions of fronts, >>fronts, >>parallel dewall; >>questions,
@@ -1550,11 +1550,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     measures                     144   points that span, spacing
 //     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
-//     sorting                      469   along the curve, box after box
+//     sorting                      470   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
 //     reference sphere             195   sagittas near a sphere
 //   mesh
-//     mesh                         699   cells, links, ghosts, free places; closing
+//     mesh                         700   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
 //     scene                        202   conflict test, walk, update
 //   search
@@ -1571,10 +1571,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
 //     insertion                    296   dig and star, in any dimension
-//     kept spheres                 528   conflict tests by one product, in space
-//     insertion in space           658   dig and star with kept spheres
-//     insertion in space by AVX2   466   its inner functions for four lanes
-//     inserting                    213   insertions from begin to end
+//     kept spheres                 667   conflict tests by one product, in two and three dimensions
+//     digging by spheres           298   locate and dig with kept spheres
+//     stars in space               273   star with kept spheres
+//     stars in the plane           222   dig and star with kept spheres
+//     insertion by spheres         172   locate, dig and star, all together
+//     insertion in space by AVX2   505   its inner functions for four lanes
+//     the plane by AVX2            127   the same for the plane
+//     inserting                    239   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
@@ -1600,7 +1604,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              495   DeWall by tasks
 //     regions of insertion         619   the steps of a divided insertion
 //   entry
-//     methods                      330   one row a method; AUTO's choice
+//     methods                      331   one row a method; AUTO's choice
 //     triangulate                  387   the entry
 //   use
 //     minors                        67   determinants with bounds, in floating point
@@ -5151,15 +5155,16 @@ static void paradt__loader_cut(paradt__loader *loader) {
 
 // Would many points share places of a lattice with so many levels? If so, keys of more levels take less time than
 // sorting these points anew. A few points of the sample tell, on a lattice with fewer levels: the number is such that,
-// on a surface, the few share places as often as all points do on the finer lattice. In space the few share places more
-// often than that, but still rarely.
+// on a surface, or in the plane on a curve, the few share places as often as all points do on the finer lattice. Where
+// points are spread in all dimensions the few share places more often than that, but still rarely.
 static int paradt__loader_crowded(const paradt__loader *loader, int levels) {
     enum { MANY = 32 }; // one in so many is many
+    const int dim = loader->source->points.dim;
     size_t count = loader->source->points.count, few = PARADT__FEW_SAMPLED, shared = 0, i;
     if (few > count / 2) few = count / 2;
     if (!few || !loader->sampled) return 0;
-    levels -= (paradt__bit_length(count / few) - 1) / 2;
-    levels = paradt__whole_steps(paradt__max(levels, 1), loader->source->points.dim);
+    levels -= (paradt__bit_length(count / few) - 1) / (dim == 2 ? 1 : 2);
+    levels = paradt__whole_steps(paradt__max(levels, 1), dim);
     paradt__sort_few(loader, few, levels);
     for (i = 1; i < few; i++) shared += loader->keyed[i].key == loader->keyed[i - 1].key;
     return shared > few / MANY;
@@ -5607,7 +5612,7 @@ static paradt_status paradt__set_load(paradt__set *set, const paradt_points *poi
 // are near to, the reference sphere: instead of |x|^2 each record carries its sagitta r^2 - |x - o|^2, which is
 // computed once, in integers, with an error far below the noise that decides. Then lifts are as small as the noise, so
 // are the spheres' coefficients, and the largest sagitta of a box tells whether the box matters. The floating-point
-// search and the insertion's spheres in three dimensions use sagittas; the predicates go on working with the
+// search and the insertion's spheres in two and three dimensions use sagittas; the predicates go on working with the
 // coordinates. Doors: paradt__set_grade, paradt__centre_shift; paradt__fit_sphere, paradt__set_sagittas,
 // paradt__set_grade_bounds for sets that are parts of one.
 
@@ -6409,6 +6414,7 @@ PARADT__INLINE uint64_t paradt__mesh_close_any(paradt__mesh *mesh, const paradt_
 PARADT__HOT uint64_t paradt__mesh_close(paradt__mesh *mesh, const paradt_index *origin, int facets,
                                         paradt__meter *meter) {
     if (mesh->corners == 4) return paradt__mesh_close_any(mesh, origin, facets, meter, 4);
+    if (mesh->corners == 3) return paradt__mesh_close_any(mesh, origin, facets, meter, 3);
     return paradt__mesh_close_any(mesh, origin, facets, meter, (size_t)mesh->corners);
 }
 
@@ -9981,11 +9987,12 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>kept spheres
 //
-// Conflict tests in three dimensions, without weights, by spheres that are kept: a test is one dot product, for ghosts
-// too. Where the value does not exceed the bound on its error the predicates decide, so the answers are always theirs.
+// Conflict tests in two and three dimensions by spheres that are kept: a test is one dot product, for ghosts too. Where
+// the value does not exceed the bound on its error the predicates decide, so the answers are always theirs.
 //
 // A cell's sphere is kept as an affine function of x: the power of x with regard to the sphere, without |x|^2.
 //     power(x) = |x|^2 + normal . x + constant, negative inside; x is relative to the centre of the set's bounding box
+// With weights |x|^2 less the weight takes the place of |x|^2.
 // A ghost has the halfspace beyond its facet instead of a ball: a function so steep that |x|^2 does not matter. The
 // spheres stand in a table, in slots. A cell's slot is its place modulo the table's size, a power of two. If another
 // cell's sphere has driven a sphere out of its slot, the sphere is made again when it is wanted.
@@ -10028,29 +10035,43 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 //     computed with E / 4u added to the size of each difference of g, n_j is wrong by at most 12.1u N_j again, for 2 E
 //     is less than 12.1u times that. The terms of the power add up to at most 2 G + 2 W, and E counts twice. So the
 //     bound of (4) holds with H = G + E / 16u, which is as small as the noise.
-// (8) Zero. A power times det is the in-sphere determinant, a multiple of the set's quantum, and det is at most
-//     6 * 8 h_x h_y h_z. So a power that is surely less than quantum / (64 h_x h_y h_z) in size is 0. A ghost's power
-//     never passes this test, for the ghost's error exceeds 2 H.
+// (8) Weights. g(x) = |x|^2 - v, v the weight, is taken for |x|^2; and in n, l_a = |a|^2 - (v_a - v_p) for |a|^2, v_a
+//     the weight of the vertex at a. As computed, l_a is wrong by at most 6.1u (|a|^2 + |v_a - v_p|). So the terms of n
+//     have 1.1u more than in (2), where N_j is made of these sums, which are found as |a|^2 + ||a|^2 - l_a|, to 10u.
+//     n_j is wrong by at most 13.3u N_j, and the factor 16.4 in (3) becomes 18: 36 where (4) has room for 60. The
+//     constant is |s_p|^2 + v_p + w . s_p, as computed g(p) + 2 v_p + w . s_p. Let M be the largest size of a weight.
+//     The terms of the power add up to at most 4 (H + M) + 2 W, and pass no more roundings than before: (4) and (6)
+//     hold with H + M for H.
+// (9) Zero. A power times det is the in-sphere determinant, weights included, a multiple of the set's quantum, and det
+//     is at most 6 * 8 h_x h_y h_z. So a power that is surely less than quantum / (64 h_x h_y h_z) in size is 0. A
+//     ghost's power never passes this test, for the ghost's error exceeds 2 H.
+// (10) The plane. A sphere is a circle there, and all of this has fewer terms:
+//         n = |a|^2 (b_y, -b_x) + |b|^2 (-a_y, a_x),   det = a_x b_y - a_y b_x.
+//     No term passes more roundings than in space, so the same formulas are bounds, P and N_j being sums of the sizes
+//     of the terms. They are always sharp: quick ones would take as many operations. A ghost has N = (-a_y, a_x) for
+//     the edge a, which is wrong by at most u |N_j|, so that Q is not needed. det is at most 2 * 4 h_x h_y, so a power
+//     that is surely less than quantum / (16 h_x h_y) in size is 0.
 //
 // Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_forget, paradt__kept_drop, paradt__kept_more_numbers,
 // paradt__kept_sphere, paradt__kept_settle, paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make,
-// paradt__sphere_of_facet, paradt__sphere_power, paradt__centred_of, paradt__spoke_of, paradt__spoke_at.
+// paradt__sphere_of_facet, paradt__sphere_power, paradt__centred_of, paradt__base_of, paradt__spoke_of,
+// paradt__spoke_at, paradt__circle_make, paradt__sphere_of_edge, paradt__kept_power, paradt__kept_across.
 
 // Slots of the table: eight a point up to MANY_SPHERES; for more points one for 5 of them (for 8 where the mesh is a
-// slice of the result) up to MOST_SPHERES. There is memory for LEAST_SPHERES at least, as a block of that size keeps
-// common allocators from giving pages back.
+// slice of the result) up to MOST_SPHERES. In the plane four a point up to MANY_SPHERES. There is memory for
+// LEAST_SPHERES at least, as a block of that size keeps common allocators from giving pages back.
 enum { PARADT__MOST_SPHERES = 1 << 16, PARADT__MANY_SPHERES = 1 << 14, PARADT__LEAST_SPHERES = 1 << 11 };
 
 // Stars. Of a star of R cells the rim has R facets and 2 + R / 2 vertices (Euler). The edges of its rim stand in a
 // table. There are three: a small one for common stars, which stays in the first cache; a second for wide stars; and
-// one for larger stars, which is allocated when it is first needed.
+// one for larger stars, which is allocated when it is first needed. All vertices of the cavity have numbers; with
+// weights some may be inside it, and are hidden by the new point.
 enum {
-    PARADT__COMMON_RIM = 60, // few stars have more cells
-    PARADT__COMMON_VERTICES = 32,
-    PARADT__WIDE_RIM = 256,
+    PARADT__COMMON_VERTICES = 32, // few stars have more: 60 cells
     PARADT__WIDE_VERTICES = 130,
-    PARADT__MOST_RIM = 2048, // larger stars are made by >>insertion
-    PARADT__RIM_VERTICES = 1026,
+    PARADT__WIDE_RIM = 256,
+    PARADT__RIM_VERTICES = 1026, // stars of more are made by >>insertion
+    PARADT__MOST_RIM = 2048,
     PARADT__EDGE_UNIT = 32, // the length of a row of edges is a multiple of this
     PARADT__WIDE_UNITS = 5  // of a row for wide stars
 };
@@ -10077,7 +10098,7 @@ typedef struct paradt__sphere {
     paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // makes it a cache line, 64 bytes
 } paradt__sphere;
 
-// A point relative to the centre of the box, and its lift: |s|^2, or with sagittas g
+// A point relative to the centre of the box, and its lift: |s|^2, or with sagittas or weights g
 typedef struct paradt__centred {
     double s[3], lift;
 } paradt__centred;
@@ -10085,23 +10106,30 @@ typedef struct paradt__centred {
 // A vertex of the cavity: at first its position, then the edge that leads to it from the new point
 typedef union paradt__spoke {
     paradt_index vertex;
-    double edge[4]; // by axis; last the square of its length, or with sagittas how much larger g is at the vertex
+    double edge[4]; // by axis; last the square of its length less the weights' difference, or with sagittas how much
+                    // larger g is at the vertex
 } paradt__spoke;
 
 enum { PARADT__NUMBER_STEP = sizeof(paradt__spoke) }; // from the number of one vertex to the next one's
 
-// What the bounds on errors are made of: h_j, rounded up; H; and with sagittas E / 4u
+// What the bounds on errors are made of: h_j, rounded up; H, with weights H + M; and with sagittas E / 4u
 typedef struct paradt__frame {
     double half[3], square, slack;
 } paradt__frame;
 
-// How spheres are made: with quick or with sharp bounds on the errors; or with sharp ones, by sagittas
-typedef enum paradt__making { PARADT__MAKE_QUICKLY, PARADT__MAKE_SHARP, PARADT__MAKE_GRADED } paradt__making;
+// How spheres are made: with quick or with sharp bounds on the errors; or with sharp ones, by sagittas or with weights
+typedef enum paradt__making {
+    PARADT__MAKE_QUICKLY,
+    PARADT__MAKE_SHARP,
+    PARADT__MAKE_GRADED,
+    PARADT__MAKE_WEIGHTED
+} paradt__making;
 
 // The spheres, and what an insertion with their help works on
 typedef struct paradt__kept {
     paradt__sphere *table; // [mask + 1] on cache lines; at first in the same block, behind this struct
     paradt__tag mask;
+    int corners;          // of the cells: 4, in the plane 3
     int evicted;          // a cell of the cavity has lost its sphere, and has the mark PARADT__CONFLICT instead
     double centre[3];     // of the bounding box
     paradt__frame frame;  // of the spheres of cells
@@ -10114,12 +10142,12 @@ typedef struct paradt__kept {
     // Since the last call of paradt__kept_adapt: new cells; spheres made again; powers in doubt that the filter decided
     size_t made_count, missed_count, doubtful_count;
     paradt__making making;
-    void *table_block;             // NULL: the table is in the same block as this struct
-    paradt_index *large_edges;     // the table of edges for stars of up to large_rim cells; NULL: none
-    size_t large_rim, large_units; // large_units: of its rows
+    void *table_block;                  // NULL: the table is in the same block as this struct
+    paradt_index *large_edges;          // the table of edges for stars with up to large_vertices; NULL: none
+    size_t large_vertices, large_units; // large_units: of its rows
 
-    // The vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in bytes in
-    // `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
+    // In space the vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in
+    // bytes in `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
     uint32_t *number;                        // [numbers]
     size_t numbers;                          // at least points + 1
     uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
@@ -10132,10 +10160,10 @@ typedef struct paradt__kept {
 
     paradt_index waiting[PARADT__MOST_WAITING]; // facets whose spheres are missing, as handles in the cavity's cells
 
-    // The new cells, one for each facet of the rim. Spheres are made four at a time: hence three more.
+    // The new cells, one for each facet of the rim. Four are made at a time: hence three more.
     uint16_t offsets[PARADT__MOST_RIM + 3][4]; // of the spokes of the facet's vertices
-    paradt_index row[PARADT__MOST_RIM][4];     // vertices, the point last
-    paradt_index outer[PARADT__MOST_RIM];      // mirrors of the facets of the rim
+    paradt_index row[PARADT__MOST_RIM + 3][4]; // vertices, the point last; in the plane those of the rim's edge
+    paradt_index outer[PARADT__MOST_RIM + 3];  // mirrors of the facets of the rim
     int ghosts;                                // there are ghosts among the new cells; then these are the others:
     paradt_index finite_base[PARADT__MOST_RIM + 3];
     uint16_t finite_offsets[PARADT__MOST_RIM + 3][4];
@@ -10169,20 +10197,32 @@ PARADT__INLINE paradt__centred paradt__centred_of(const paradt__kept *s, const d
     paradt__centred centred;
     centred.s[0] = x[0] - s->centre[0];
     centred.s[1] = x[1] - s->centre[1];
-    centred.s[2] = x[2] - s->centre[2];
+    centred.s[2] = s->corners == 4 ? x[2] - s->centre[2] : 0.0;
     centred.lift = centred.s[0] * centred.s[0] + centred.s[1] * centred.s[1] + centred.s[2] * centred.s[2];
-    if (!PARADT__LIKELY(s->making != PARADT__MAKE_GRADED)) centred.lift = -x[3];
+    if (!PARADT__LIKELY(s->making < PARADT__MAKE_GRADED))
+        centred.lift = s->making == PARADT__MAKE_GRADED ? -x[s->corners - 1] : centred.lift - x[s->corners - 1];
+    return centred;
+}
+
+// Returns a point from which edges lead, with the part of its lift that the constants of spheres have: as it is, but
+// with weights |s|^2 and the weight.
+PARADT__INLINE paradt__centred paradt__base_of(paradt__making making, int corners, paradt__centred centred,
+                                               const double *x) {
+    if (making == PARADT__MAKE_WEIGHTED) centred.lift += 2.0 * x[corners - 1];
     return centred;
 }
 
 // Returns the edge from one point to another, given by their records.
-PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, const double *from, const double *to) {
+PARADT__INLINE paradt__spoke paradt__spoke_of(paradt__making making, int corners, const double *from,
+                                              const double *to) {
+    const int last = corners - 1;
     paradt__spoke spoke;
-    double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
+    double x = to[0] - from[0], y = to[1] - from[1], z = corners == 4 ? to[2] - from[2] : 0.0;
     spoke.edge[0] = x;
     spoke.edge[1] = y;
     spoke.edge[2] = z;
-    spoke.edge[3] = making == PARADT__MAKE_GRADED ? from[3] - to[3] : x * x + y * y + z * z;
+    spoke.edge[3] = making == PARADT__MAKE_GRADED ? from[last] - to[last] : x * x + y * y + z * z;
+    if (making == PARADT__MAKE_WEIGHTED) spoke.edge[3] -= to[last] - from[last];
     return spoke;
 }
 
@@ -10196,8 +10236,17 @@ PARADT__INLINE double paradt__minor_size(double a, double b, double c, double d)
     return paradt__abs(a * d) + paradt__abs(b * c);
 }
 
-// Makes the sphere through p, p + a, p + b and p + c, a cell that is positively oriented, by (1) to (5) and (7). a[3]:
-// |a|^2, or with sagittas g(p + a) - g(p).
+// Returns the size of an edge's part in n_j: what a[3] is, or in size less than. slack: E / 4u
+PARADT__INLINE double paradt__lift_size(paradt__making making, const double *a, double slack) {
+    double square;
+    if (making == PARADT__MAKE_GRADED) return paradt__abs(a[3]) + slack;
+    if (making != PARADT__MAKE_WEIGHTED) return a[3];
+    square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    return square + paradt__abs(square - a[3]);
+}
+
+// Makes the sphere through p, p + a, p + b and p + c, a cell that is positively oriented, by (1) to (5), (7) and (8).
+// p: by paradt__base_of; a[3]: |a|^2, less the weights' difference, or with sagittas g(p + a) - g(p).
 // The code has no branches, so that compilers can make vectors of several calls. Where det is too small, a larger
 // number stands in for it and the error is so large that all powers are in doubt. That is a choice by comparison: with
 // x87 registers a term like (safe - det) * 2^500 need not be 0 where both are equal, as one of them may have been
@@ -10214,8 +10263,8 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
     double det = ax * bcx + ay * bcy + az * bcz, size, sides; // size: P; sides: sum N_j h_j
     double floor, safe, inverse, wx, wy, wz, reach;           // reach: W
     if (making != PARADT__MAKE_QUICKLY) {
-        double sla = graded ? paradt__abs(la) + f->slack : la, slb = graded ? paradt__abs(lb) + f->slack : lb;
-        double slc = graded ? paradt__abs(lc) + f->slack : lc;
+        double sla = paradt__lift_size(making, a, f->slack), slb = paradt__lift_size(making, b, f->slack);
+        double slc = paradt__lift_size(making, c, f->slack);
         double sbcx = paradt__minor_size(by, bz, cy, cz), sbcy = paradt__minor_size(bz, bx, cz, cx);
         double sbcz = paradt__minor_size(bx, by, cx, cy), scax = paradt__minor_size(cy, cz, ay, az);
         double scay = paradt__minor_size(cz, cx, az, ax), scaz = paradt__minor_size(cx, cy, ax, ay);
@@ -10248,6 +10297,28 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
+// Makes the circle through p, p + a and p + b, a cell of the plane that is positively oriented, by (10), as
+// paradt__sphere_make does.
+PARADT__INLINE void paradt__circle_make(paradt__making making, const paradt__frame *f, const paradt__centred *p,
+                                        const double *a, const double *b, paradt__sphere *circle) {
+    const int graded = making == PARADT__MAKE_GRADED;
+    double ax = a[0], ay = a[1], la = a[3], bx = b[0], by = b[1], lb = b[3], det = ax * by - ay * bx;
+    double sla = paradt__lift_size(making, a, f->slack), slb = paradt__lift_size(making, b, f->slack);
+    double size = paradt__minor_size(ax, ay, bx, by);
+    double sides = f->half[0] * (sla * paradt__abs(by) + slb * paradt__abs(ay)) +
+                   f->half[1] * (slb * paradt__abs(ax) + sla * paradt__abs(bx));
+    double floor = 32.0 * PARADT__UNIT_ERROR * size + sides * (1.0 / PARADT__FLATTEST) + 1.0 / PARADT__NO_ERROR_BOUND;
+    double inverse = 1.0 / (det > floor ? det : floor);
+    double wx = (la * by - lb * ay) * inverse, wy = (lb * ax - la * bx) * inverse;
+    double reach = paradt__abs(wx) * f->half[0] + paradt__abs(wy) * f->half[1];
+    circle->normal[0] = graded ? -wx : -2.0 * p->s[0] - wx;
+    circle->normal[1] = graded ? -wy : -2.0 * p->s[1] - wy;
+    circle->normal[2] = 0.0;
+    circle->constant = (graded ? -p->lift : p->lift) + (wx * p->s[0] + wy * p->s[1]);
+    circle->error = 64.0 * PARADT__UNIT_ERROR * (f->square + (size * reach + sides) * inverse) +
+                    (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
+}
+
 // Row i: the order of a cell's vertices but for vertex i. With what replaces vertex i last, it keeps the orientation.
 static const unsigned char paradt__facet_order[4][3] = {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
 
@@ -10278,37 +10349,62 @@ PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__spher
                         (2.0 * (paradt__abs(nx) * h[0] + paradt__abs(ny) * h[1] + paradt__abs(nz) * h[2]) + sides);
 }
 
+// The same in the plane, for the ghost on the edge between two points; it is beyond the edge on the left of who goes
+// from the first to the second. centred: either
+PARADT__INLINE void paradt__sphere_of_edge(const paradt__kept *s, paradt__sphere *sphere,
+                                           const paradt__centred *centred, const double *from, const double *to) {
+    double nx = from[1] - to[1], ny = to[0] - from[0], size = paradt__largest_of_three(nx, ny, 0.0), t;
+    sphere->normal[0] = sphere->normal[1] = sphere->normal[2] = sphere->constant = 0.0;
+    sphere->error = PARADT__NO_ERROR_BOUND;
+    if (!(s->steepness < PARADT__FLATTEST * size)) return;
+    t = s->steepness / size;
+    sphere->normal[0] = -t * nx;
+    sphere->normal[1] = -t * ny;
+    sphere->constant = t * (nx * centred->s[0] + ny * centred->s[1]);
+    sphere->error = 2.0 * s->box_square + PARADT__UNIT_ERROR * t * 32.0 *
+                                              (paradt__abs(nx) * s->frame.half[0] + paradt__abs(ny) * s->frame.half[1]);
+}
+
 // Makes the function of a ghost. place: that of the infinite vertex
 static void paradt__sphere_of_ghost(const paradt__insertion *build, paradt__sphere *sphere,
                                     const paradt_index *vertices, int place) {
+    const int plane = build->kept->corners == 3;
     const unsigned char *order = paradt__facet_order[place];
-    const double *p = paradt__scene_record(&build->scene, vertices[order[0]]),
-                 *q = paradt__scene_record(&build->scene, vertices[order[1]]);
+    const double *p = paradt__scene_record(&build->scene, vertices[plane ? (place + 1) % 3 : order[0]]),
+                 *q = paradt__scene_record(&build->scene, vertices[plane ? (place + 2) % 3 : order[1]]);
     paradt__centred centred = paradt__centred_of(build->kept, p);
-    paradt__sphere_of_facet(build->kept, sphere, &centred, p, q,
-                            paradt__scene_record(&build->scene, vertices[order[2]]));
+    if (plane) paradt__sphere_of_edge(build->kept, sphere, &centred, p, q);
+    else
+        paradt__sphere_of_facet(build->kept, sphere, &centred, p, q,
+                                paradt__scene_record(&build->scene, vertices[order[2]]));
 }
 
-// Makes the sphere of a cell and puts it into the table.
+// Makes the sphere of a cell that is no ghost. corners: a constant
+PARADT__INLINE void paradt__sphere_of_cell(const paradt__insertion *build, paradt__sphere *sphere,
+                                           const paradt_index *vertices, int corners) {
+    const paradt__kept *s = build->kept;
+    const double *p = paradt__scene_record(&build->scene, vertices[corners - 1]);
+    paradt__centred centred = paradt__base_of(s->making, corners, paradt__centred_of(s, p), p);
+    paradt__spoke to[3];
+    int i;
+    for (i = 0; i < corners - 1; i++)
+        to[i] = paradt__spoke_of(s->making, corners, p, paradt__scene_record(&build->scene, vertices[i]));
+    // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative; in the plane (a, b, p) when it is positive
+    if (corners == 3) paradt__circle_make(s->making, &s->frame, &centred, to[0].edge, to[1].edge, sphere);
+    else
+        paradt__sphere_make(s->making, &s->frame, &centred, to[1].edge, to[0].edge, to[2].edge, sphere->normal,
+                            &sphere->constant, &sphere->error);
+}
+
+// Makes the sphere of a cell or ghost and puts it into the table.
 PARADT__NOINLINE void paradt__kept_make(const paradt__insertion *build, paradt_index cell) {
     paradt__kept *s = build->kept;
     paradt__sphere *sphere = s->table + ((paradt__tag)cell & s->mask);
-    const paradt_index *vertices = build->scene.mesh.vertices + 4 * (size_t)cell;
-    int ghost = paradt__ghost_place(vertices, 4);
-    if (ghost >= 0) {
-        paradt__sphere_of_ghost(build, sphere, vertices, ghost);
-    } else {
-        const double *a = paradt__scene_record(&build->scene, vertices[0]),
-                     *b = paradt__scene_record(&build->scene, vertices[1]);
-        const double *c = paradt__scene_record(&build->scene, vertices[2]),
-                     *p = paradt__scene_record(&build->scene, vertices[3]);
-        paradt__spoke to_a = paradt__spoke_of(s->making, p, a), to_b = paradt__spoke_of(s->making, p, b),
-                      to_c = paradt__spoke_of(s->making, p, c);
-        paradt__centred centred = paradt__centred_of(s, p);
-        // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere_make(s->making, &s->frame, &centred, to_b.edge, to_a.edge, to_c.edge, sphere->normal,
-                            &sphere->constant, &sphere->error);
-    }
+    const paradt_index *vertices = paradt__mesh_row(&build->scene.mesh, cell);
+    int ghost = paradt__ghost_place(vertices, s->corners);
+    if (ghost >= 0) paradt__sphere_of_ghost(build, sphere, vertices, ghost);
+    else if (s->corners == 4) paradt__sphere_of_cell(build, sphere, vertices, 4);
+    else paradt__sphere_of_cell(build, sphere, vertices, 3);
     sphere->tag = (paradt__tag)cell;
 }
 
@@ -10346,49 +10442,88 @@ PARADT__INLINE double paradt__sphere_power(const paradt__sphere *sphere, const p
            (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1] + sphere->normal[2] * x->s[2]);
 }
 
+// The same where the number of corners is a constant
+PARADT__INLINE double paradt__kept_power(const paradt__sphere *sphere, const paradt__centred *x, int corners) {
+    if (corners == 4) return paradt__sphere_power(sphere, x);
+    return (x->lift + sphere->constant) + (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1]);
+}
+
+// Returns the cell that a handle's facet belongs to. corners: a constant
+PARADT__INLINE paradt__tag paradt__kept_across(paradt_index handle, int corners) {
+    return corners == 4 ? (paradt__tag)handle >> 2 : (paradt__tag)handle / 3;
+}
+
 // Fills p with the vertices of a cell, and x.
 PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_index cell, const double *x,
-                                         const double **p) {
+                                         const double **p, int corners) {
+    const paradt_index *vertices = build->scene.mesh.vertices + (size_t)corners * (size_t)cell;
     int i;
-    for (i = 0; i < 4; i++)
-        p[i] = paradt__scene_record(&build->scene, build->scene.mesh.vertices[4 * (size_t)cell + (size_t)i]);
-    p[4] = x;
+    for (i = 0; i < corners; i++) p[i] = paradt__scene_record(&build->scene, vertices[i]);
+    p[corners] = x;
 }
 
 // Is the cell, which is no ghost, in conflict with a point that is on its sphere?
-PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index cell, const double *x) {
+PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index cell, const double *x, int corners) {
     const double *p[PARADT_MAX_DIM + 2];
-    paradt__kept_corners(build, cell, x, p);
+    paradt__kept_corners(build, cell, x, p, corners);
     build->scene.space.counters.insphere_calls++;
     build->scene.space.counters.exact_small++;
     return (unsigned)paradt__perturbed(&build->scene.space, p);
 }
 
-// Is the cell or ghost in conflict with the point? Asks the predicates.
-PARADT__NOINLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x) {
+// Is the cell or ghost in conflict with the point? Asks the predicates. corners: a constant
+PARADT__INLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x, int corners) {
+    paradt__space *space = &build->scene.space;
     const double *p[PARADT_MAX_DIM + 2];
     int sign;
-    if (!paradt__is_finite_cell(build->scene.mesh.vertices + 4 * (size_t)cell, 4))
+    if (!paradt__is_finite_cell(build->scene.mesh.vertices + (size_t)corners * (size_t)cell, corners))
         return (unsigned)paradt__conflicts(&build->scene, cell, x);
-    paradt__kept_corners(build, cell, x, p);
-    build->scene.space.counters.insphere_calls++;
-    sign = paradt__filter_insphere3(&build->scene.space, p, 3, 0);
-    if (sign == PARADT__UNDECIDED) sign = paradt__exact_insphere3(&build->scene.space, p);
+    paradt__kept_corners(build, cell, x, p, corners);
+    space->counters.insphere_calls++;
+    if (corners == 3) sign = paradt__filter_insphere2(space, p, 2, space->weighted);
+    else if (space->weighted) sign = paradt__filter_insphere3(space, p, 3, 1);
+    else sign = paradt__filter_insphere3(space, p, 3, 0);
+    if (sign == PARADT__UNDECIDED)
+        sign = corners == 3 ? paradt__exact_insphere(space, p) : paradt__exact_insphere3(space, p);
     else build->kept->doubtful_count++;
-    return (unsigned)(sign ? sign > 0 : paradt__perturbed(&build->scene.space, p));
+    return (unsigned)(sign ? sign > 0 : paradt__perturbed(space, p));
 }
 
-// Is the cell or ghost in conflict with the point? Its sphere need not be in the table, nor its power tell.
-PARADT__NOINLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell,
-                                              const paradt__centred *centred, const double *x) {
+PARADT__NOINLINE unsigned paradt__kept_decide_space(paradt__insertion *build, paradt_index cell, const double *x) {
+    return paradt__kept_decide(build, cell, x, 4);
+}
+
+PARADT__NOINLINE unsigned paradt__kept_decide_plane(paradt__insertion *build, paradt_index cell, const double *x) {
+    return paradt__kept_decide(build, cell, x, 3);
+}
+
+PARADT__INLINE unsigned paradt__kept_settle_any(paradt__insertion *build, paradt_index cell,
+                                                const paradt__centred *centred, const double *x, int corners) {
     const paradt__kept *s = build->kept;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
     double power;
     if (sphere->tag & PARADT__IN_CAVITY) return 1;
-    power = paradt__sphere_power(sphere, centred);
+    power = paradt__kept_power(sphere, centred, corners);
     if (paradt__abs(power) > sphere->error) return power < 0.0;
-    if (paradt__abs(power) + sphere->error < s->zero_below) return paradt__kept_tie(build, cell, x);
-    return paradt__kept_decide(build, cell, x);
+    if (paradt__abs(power) + sphere->error < s->zero_below) return paradt__kept_tie(build, cell, x, corners);
+    return corners == 4 ? paradt__kept_decide_space(build, cell, x) : paradt__kept_decide_plane(build, cell, x);
+}
+
+PARADT__NOINLINE unsigned paradt__kept_settle_space(paradt__insertion *build, paradt_index cell,
+                                                    const paradt__centred *centred, const double *x) {
+    return paradt__kept_settle_any(build, cell, centred, x, 4);
+}
+
+PARADT__NOINLINE unsigned paradt__kept_settle_plane(paradt__insertion *build, paradt_index cell,
+                                                    const paradt__centred *centred, const double *x) {
+    return paradt__kept_settle_any(build, cell, centred, x, 3);
+}
+
+// Is the cell or ghost in conflict with the point? Its sphere need not be in the table, nor its power tell.
+PARADT__INLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell, const paradt__centred *centred,
+                                            const double *x, int corners) {
+    return corners == 4 ? paradt__kept_settle_space(build, cell, centred, x)
+                        : paradt__kept_settle_plane(build, cell, centred, x);
 }
 
 // Adapts to long cells, and to points with hundreds of cells. Changes over to sharp bounds if quick ones leave many
@@ -10399,13 +10534,14 @@ PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t size = 4 * ((size_t)s->mask + 1), i;
     void *larger = NULL;
-    double to_come = 28.0 * (double)(build->count - build->inserted); // new cells, as many as uniform points make
+    // new cells, as many as uniform points make
+    double to_come = (s->corners == 4 ? 28.0 : 6.0) * (double)(build->count - build->inserted);
     int often =
         s->missed_count > s->made_count / 4 && (double)s->missed_count * to_come > (double)s->made_count * (double)size;
     PARADT_ASSERT(build->inserted < build->count);
     if (s->doubtful_count > s->made_count / 16 && s->making == PARADT__MAKE_QUICKLY) s->making = PARADT__MAKE_SHARP;
     s->made_count = s->missed_count = s->doubtful_count = 0;
-    if (often && size * sizeof *s->table <= build->scene.mesh.count * 4 * sizeof(paradt_index))
+    if (often && size * sizeof *s->table <= build->scene.mesh.count * (size_t)s->corners * sizeof(paradt_index))
         larger = paradt__alloc(build->memory, size + 1, sizeof *s->table);
     if (!larger) return;
     paradt__release(build->memory, s->table_block);
@@ -10441,20 +10577,26 @@ static void paradt__kept_grade(paradt__insertion *build) {
 // Finds what the set's bounding box decides: its centre, and what bounds on errors and ghosts are made of.
 static void paradt__kept_measure(paradt__insertion *build) {
     paradt__kept *s = build->kept;
+    const int dim = s->corners - 1;
+    double most = dim == 3 ? 64.0 : 16.0; // more than det in boxes of half edges 1
     int axis;
     memset(&s->frame, 0, sizeof s->frame);
-    for (axis = 0; axis < 3; axis++) {
+    if (dim == 2) s->making = PARADT__MAKE_SHARP;
+    for (axis = 0; axis < dim; axis++) {
         double low = paradt__from_ordered_bits(build->scene.space.low[axis]);
         double high = paradt__from_ordered_bits(build->scene.space.high[axis]);
         s->centre[axis] = paradt__rounded(low + (high - low) * 0.5);
         s->frame.half[axis] = paradt__larger(high - s->centre[axis], s->centre[axis] - low) * 1.0000002;
         s->frame.square += s->frame.half[axis] * s->frame.half[axis];
+        most *= s->frame.half[axis];
     }
+    if (build->scene.space.weighted) s->making = PARADT__MAKE_WEIGHTED;
+    if (build->scene.space.weighted && build->scene.space.weights.top > -1000)
+        s->frame.square += paradt__power(build->scene.space.weights.top);
     s->box_square = s->frame.square;
     s->steepness = sqrt(s->box_square) * paradt__power(60);
     paradt__kept_grade(build);
-    s->zero_below =
-        build->scene.space.insphere[3].quantum / (64.0 * s->frame.half[0] * s->frame.half[1] * s->frame.half[2]);
+    s->zero_below = build->scene.space.insphere[dim].quantum / most;
 }
 
 #ifndef PARADT_NO_DYNAMIC
@@ -10476,16 +10618,17 @@ PARADT__INLINE void paradt__kept_drop(paradt__kept *s, paradt_index cell) {
 }
 #endif
 
-// Begins to keep spheres if the set has three coordinates, no weights, and passes the floating-point filter. Else
-// build->kept stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
+// Begins to keep spheres if the set has two or three coordinates and passes the floating-point filter. Else build->kept
+// stays NULL, and the insertion is that in any dimension. After an error paradt__kept_free is called.
 static paradt_status paradt__kept_begin(paradt__insertion *build) {
     paradt__kept *s;
     size_t size = 64, points = build->scene.mesh.lent ? 8 : 5; // a slot
     size_t room, bytes, i;
-    if (!build->scene.space.filtered || build->scene.space.weighted || build->scene.space.ambient != 3)
-        return PARADT_OK;
-    while (size < 8 * build->count && size < PARADT__MANY_SPHERES) size *= 2;
-    while (size < build->count / points && size < PARADT__MOST_SPHERES) size *= 2;
+    const int space = build->scene.space.dim == 3;
+    if (!build->scene.space.filtered || build->scene.space.ambient != build->scene.space.dim) return PARADT_OK;
+    PARADT_ASSERT(build->scene.mesh.corners == 3 || build->scene.mesh.corners == 4);
+    while (size < (space ? 8 : 4) * build->count && size < PARADT__MANY_SPHERES) size *= 2;
+    while (space && size < build->count / points && size < PARADT__MOST_SPHERES) size *= 2;
     room = size > PARADT__LEAST_SPHERES ? size : (size_t)PARADT__LEAST_SPHERES;
     bytes = sizeof *s + (room + 1) * sizeof *s->table;
     s = (paradt__kept *)paradt__alloc(build->memory, 1, bytes);
@@ -10494,6 +10637,7 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
     // not for few points: allocators keep the pages from the call before, and even to look for them takes long then
     if (size > PARADT__LEAST_SPHERES) paradt__make_pages(s, sizeof *s, bytes);
     memset(s, 0, offsetof(paradt__kept, spokes)); // what follows is written before it is read
+    s->corners = build->scene.mesh.corners;
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_cache_line(s + 1);
     if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
@@ -10501,28 +10645,51 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     paradt__kept_measure(build);
     PARADT_ASSERT((size & (size - 1)) == 0 && sizeof(paradt__sphere) == 64);
-    if (build->count > 4)
-        s->next = paradt__centred_of(s, paradt__scene_record(&build->scene, paradt__insertion_point(build, 4)));
+    if (build->count > (size_t)s->corners)
+        s->next = paradt__centred_of(
+            s, paradt__scene_record(&build->scene, paradt__insertion_point(build, (size_t)s->corners)));
     return paradt__list_room(&build->rim, 0, &build->rim_capacity, PARADT__FIRST_DIG, build->memory);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>insertion in space
+// >>digging by spheres
 //
-// The insertion once more for three dimensions, with kept spheres. The steps are those of >>insertion: locate, dig,
-// star; here the new cells take the places of the cavity's cells. The form differs: there is no branch that processors
-// can't predict in any step, and memory is prefetched before it is used. The inner functions have twins for AVX2, so
-// they are handed in as a constant (paradt__kept_kernels) to functions that are inlined. Handles are taken apart by
-// shifts, as there are four a cell.
+// The first half of an insertion once more for two and three dimensions, with kept spheres: locate and dig. The form
+// differs from that of >>insertion: there is no branch that processors can't predict in any step, and memory is
+// prefetched before it is used. What has twins for AVX2, or differs between the plane and space, is handed in as a
+// constant (paradt__kept_kernels) to functions that are inlined; so is the number of corners. Handles are taken apart
+// by shifts, where there are four a cell.
 //
 // While a cavity is dug, a cell is in it if its sphere's tag has PARADT__IN_CAVITY; or the mark PARADT__CONFLICT, if
-// the sphere has been driven out of the table. When all of the cavity is dug its vertices have numbers, and a table of
-// edges, by the numbers of their ends, takes the place of turning around ridges. Cavities whose rim has more than
-// PARADT__MOST_RIM facets, or no table of edges, are starred by >>insertion.
+// the sphere has been driven out of the table. When all of the cavity is dug in space, its vertices have numbers.
 //
-// Between two insertions no tag has PARADT__IN_CAVITY, kept->evicted is 0, and kept->next is the point to come.
-// Doors: paradt__kept_insert, paradt__kept_insert_any, paradt__kept_number,
-// paradt__kept_remake_plain, paradt__kept_make_graded, paradt__new_cells_pad, paradt__kept_fetch_around.
+// A weighted point is hidden if the cell that it is in is not in conflict with it.
+// Doors: paradt__kept_locate, paradt__kept_dig, paradt__kept_number, paradt__kept_judge, paradt__kept_wait,
+// paradt__kept_look, paradt__kept_remake_plain, paradt__kept_spread_plain.
+
+// Is the point for certain inside the cell? Where a facet's other cell has the greater power it is on this cell's side.
+static int paradt__kept_is_inside(paradt__insertion *build, paradt_index cell, const paradt__centred *centred) {
+    const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+    double power = paradt__sphere_power(sphere, centred), error = sphere->error;
+    const int corners = build->kept->corners;
+    const paradt_index *links = build->scene.mesh.links + (size_t)corners * (size_t)cell;
+    int i, inside = paradt__is_finite_cell(paradt__mesh_row(&build->scene.mesh, cell), corners);
+    for (i = 0; i < corners; i++) {
+        sphere = paradt__kept_sphere(build, paradt__mesh_cell(&build->scene.mesh, links[i]));
+        inside &= paradt__sphere_power(sphere, centred) - power > 1.0000001 * (sphere->error + error);
+    }
+    return inside;
+}
+
+// Finds a cell in conflict with the point where the walk down the powers goes on to no neighbour of a cell. Returns
+// PARADT__NOWHERE if there is none, for the point is hidden. Then kept->start is the cell that it is in.
+PARADT__NOINLINE paradt_index paradt__kept_locate_exactly(paradt__insertion *build, paradt_index cell,
+                                                          const paradt__centred *centred, const double *x) {
+    if (!build->scene.space.weighted) return paradt__walk(&build->scene, cell, x);
+    if (!paradt__kept_is_inside(build, cell, centred)) cell = paradt__walk(&build->scene, cell, x);
+    build->kept->start = cell;
+    return paradt__kept_settle(build, cell, centred, x, build->kept->corners) ? cell : PARADT__NOWHERE;
+}
 
 // Finds a cell in conflict with the point, from neighbour to neighbour down the powers. The powers of a point with
 // regard to two neighbours differ by an affine function that vanishes on their common facet, so this is a walk towards
@@ -10530,25 +10697,25 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
 // by orientations takes over. Powers are rounded before they are compared: otherwise, of two neighbours with equal
 // powers each could be less than the other where one power is in a longer register, and the walk would not end.
 PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *centred,
-                                                const double *x) {
+                                                const double *x, int corners) {
     paradt_index cell = build->kept->start;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-    double power = paradt__rounded(paradt__sphere_power(sphere, centred)), error = sphere->error;
+    double power = paradt__rounded(paradt__kept_power(sphere, centred, corners)), error = sphere->error;
     while (power >= -error) {
-        const paradt_index *links = build->scene.mesh.links + 4 * (size_t)cell;
+        const paradt_index *links = build->scene.mesh.links + (size_t)corners * (size_t)cell;
         double least = power;
         paradt_index best = cell;
         int i;
-        for (i = 0; i < 4; i++) {
-            paradt_index other = links[i] >> 2;
+        for (i = 0; i < corners; i++) {
+            paradt_index other = (paradt_index)paradt__kept_across(links[i], corners);
             double value;
             sphere = paradt__kept_sphere(build, other);
-            value = paradt__rounded(paradt__sphere_power(sphere, centred));
+            value = paradt__rounded(paradt__kept_power(sphere, centred, corners));
             best = value < least ? other : best;
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
         }
-        if (best == cell) return paradt__walk(&build->scene, cell, x);
+        if (best == cell) return paradt__kept_locate_exactly(build, cell, centred, x);
         cell = best;
         power = least;
     }
@@ -10591,16 +10758,18 @@ PARADT__INLINE void paradt__kept_number(paradt__dig *dig, paradt_index vertex) {
     dig->next += is_new & PARADT__NUMBER_STEP;
 }
 
+enum { PARADT__MOST_NUMBERS = (PARADT__RIM_VERTICES + 1) * PARADT__NUMBER_STEP }; // that a cavity keeps
+
 // Keeps numbers in bounds; to be called for every PARADT__DIG_BATCH cells that are dug. The numbers of a cavity with
 // more than PARADT__RIM_VERTICES vertices are not used, so they may be given twice.
 PARADT__INLINE void paradt__kept_limit_numbers(paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP;
+    uint32_t most = PARADT__MOST_NUMBERS;
     if (dig->next - dig->first > most) dig->next = dig->first + most;
 }
 
 // Publishes this cavity's numbering. Numbers only grow, so stale ones are recognised by being below `first`.
 PARADT__INLINE void paradt__kept_end_numbers(paradt__kept *s, const paradt__dig *dig) {
-    uint32_t most = (uint32_t)PARADT__RIM_VERTICES * PARADT__NUMBER_STEP, end = dig->next - dig->first;
+    uint32_t most = PARADT__MOST_NUMBERS, end = dig->next - dig->first;
     s->first = dig->first;
     s->spokes_end = end < most ? end : most;
     s->next_number = end < most ? dig->next : dig->first + (uint32_t)sizeof s->spokes;
@@ -10610,12 +10779,13 @@ PARADT__INLINE void paradt__kept_end_numbers(paradt__kept *s, const paradt__dig 
 }
 
 // Adds the cell across a facet of the cavity to the cavity, unless it is there, or the facet to the rim; without
-// branches. inner: the facet's handle in the cavity's cell; sphere: the slot of the cell across; conflict: 1 or 0
-PARADT__INLINE void paradt__kept_judge(paradt__dig *dig, paradt_index inner, paradt__sphere *sphere,
-                                       unsigned conflict) {
+// branches. inner: the facet's handle in the cavity's cell; mirror: in the cell across; sphere: this one's slot;
+// conflict: 1 or 0
+PARADT__INLINE void paradt__kept_judge(paradt__dig *dig, paradt_index inner, paradt_index mirror,
+                                       paradt__sphere *sphere, unsigned conflict) {
     unsigned fresh = conflict & !(sphere->tag & PARADT__IN_CAVITY);
     sphere->tag |= conflict ? PARADT__IN_CAVITY : 0;
-    dig->killed[dig->killed_count] = dig->links[inner];
+    dig->killed[dig->killed_count] = mirror;
     dig->killed_count += fresh;
     dig->rim[dig->rim_count] = inner;
     dig->rim_count += conflict ^ 1;
@@ -10625,7 +10795,7 @@ PARADT__INLINE void paradt__kept_judge(paradt__dig *dig, paradt_index inner, par
 // number of facets that wait so far. Returns their new number.
 PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_index inner, paradt_index other,
                                        int count) {
-    PARADT__PREFETCH(build->scene.mesh.vertices + 4 * (size_t)other);
+    PARADT__PREFETCH(build->scene.mesh.vertices + (size_t)build->kept->corners * (size_t)other);
     build->kept->waiting[count] = inner;
     return count + 1;
 }
@@ -10633,21 +10803,21 @@ PARADT__NOINLINE int paradt__kept_wait(const paradt__insertion *build, paradt_in
 // Looks at the cell across a facet of the cavity: it joins the cavity, the facet joins the rim, or the facet waits.
 // inner: the facet's handle in the cavity's cell
 PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig, const paradt__centred *centred,
-                                      const double *x, paradt_index inner) {
+                                      const double *x, paradt_index inner, int corners) {
     paradt_index handle = dig->links[inner];
-    paradt__tag other = (paradt__tag)handle >> 2;
+    paradt__tag other = paradt__kept_across(handle, corners);
     paradt__sphere *sphere = dig->table + (other & dig->mask);
-    double power = paradt__sphere_power(sphere, centred);
+    double power = paradt__kept_power(sphere, centred, corners);
     unsigned conflict = power < 0.0;
-    PARADT__PREFETCH(dig->links + 4 * (size_t)other);
+    PARADT__PREFETCH(dig->links + (size_t)corners * (size_t)other);
     if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
         if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
             dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
             return;
         }
-        conflict = paradt__kept_settle(build, (paradt_index)other, centred, x);
+        conflict = paradt__kept_settle(build, (paradt_index)other, centred, x, corners);
     }
-    paradt__kept_judge(dig, inner, sphere, conflict);
+    paradt__kept_judge(dig, inner, handle, sphere, conflict);
 }
 
 // New cells that are no ghosts: first handles, and the offsets of their vertices' spokes; with room for three more
@@ -10663,6 +10833,7 @@ typedef void (*paradt__links_kernel)(paradt_index *links, paradt_index a, paradt
                                      paradt_index d);
 
 typedef struct paradt__kept_kernels {
+    int corners;
     // Digs the cells of the cavity from number `head` on, as long as the lists have room; facets may wait. Returns the
     // number of cells that are dug.
     size_t (*spread)(paradt__insertion *build, paradt__dig *work, const paradt__centred *centred, const double *x,
@@ -10673,23 +10844,24 @@ typedef struct paradt__kept_kernels {
     // Makes the spheres of new cells, and chooses kept->start among them.
     void (*make)(const paradt__insertion *build, paradt__new_cells *star, const double *x,
                  const paradt__centred *centred);
-    // Fills the row of a new cell: a cell's vertices but for one, and the point last.
+    // In space: fills the row of a new cell: a cell's vertices but for one, and the point last.
     void (*fill_row)(paradt_index *row, const paradt_index *cell, int without, paradt_index point);
-    // Stores the four links of a new cell.
+    // In space: stores the four links of a new cell.
     paradt__links_kernel store_links;
 } paradt__kept_kernels;
 
 // The kernel `remake`
 static void paradt__kept_remake_plain(const paradt__insertion *build, const paradt_index *waiting, int count) {
     int i;
-    for (i = 0; i < count; i++) paradt__kept_sphere(build, build->scene.mesh.links[waiting[i]] >> 2);
+    for (i = 0; i < count; i++)
+        paradt__kept_sphere(build, paradt__mesh_cell(&build->scene.mesh, build->scene.mesh.links[waiting[i]]));
 }
 
 // Looks at the facets that wait, whose spheres are made again together. Of the vertices of the cell across a facet the
 // one opposite the facet is the least likely to be in a cache, so it is prefetched.
 PARADT__NOINLINE void paradt__kept_look_waiting(paradt__insertion *build, paradt__dig *dig,
                                                 const paradt__centred *centred, const double *x,
-                                                paradt__remake_kernel remake) {
+                                                paradt__remake_kernel remake, int corners) {
     const paradt_index *waiting = build->kept->waiting;
     int i, count = dig->waiting_count;
     for (i = 0; i < count; i++) {
@@ -10698,9 +10870,9 @@ PARADT__NOINLINE void paradt__kept_look_waiting(paradt__insertion *build, paradt
     }
     remake(build, waiting, count);
     for (i = 0; i < count; i++) {
-        paradt__tag other = (paradt__tag)dig->links[waiting[i]] >> 2;
-        paradt__kept_judge(dig, waiting[i], dig->table + (other & dig->mask),
-                           paradt__kept_settle(build, (paradt_index)other, centred, x));
+        paradt__tag other = paradt__kept_across(dig->links[waiting[i]], corners);
+        paradt__kept_judge(dig, waiting[i], dig->links[waiting[i]], dig->table + (other & dig->mask),
+                           paradt__kept_settle(build, (paradt_index)other, centred, x, corners));
     }
     dig->waiting_count = 0;
 }
@@ -10714,24 +10886,25 @@ static size_t paradt__kept_spread_plain(paradt__insertion *build, paradt__dig *w
     paradt__centred centred = *point;
     size_t last = head + PARADT__DIG_BATCH;
     // the first cell was entered across no facet, so all four are looked at
-    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0]);
+    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0], 4);
     for (; head < last && head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
         paradt_index entry = dig.killed[head], base = entry & ~(paradt_index)3;
         dig.killed[head] = base;
         paradt__kept_number(&dig, dig.vertices[entry]);
-        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 1) & 3));
-        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 2) & 3));
-        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 3) & 3));
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 1) & 3), 4);
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 2) & 3), 4);
+        paradt__kept_look(build, &dig, &centred, x, base | ((entry + 3) & 3), 4);
     }
     *work = dig;
     return head;
 }
 
 // Digs the cavity of x from the cell `first`, which is in conflict with x. Fills update.killed with the cells' first
-// handles, and the rim; and numbers the cavity's vertices.
+// handles, and the rim; and in space numbers the cavity's vertices.
 PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_index first,
                                               const paradt__centred *centred, const double *x,
                                               const paradt__kept_kernels *kernels) {
+    const int corners = kernels->corners;
     size_t head = 0, i;
     paradt__dig dig;
     dig.killed = build->update.killed;
@@ -10740,20 +10913,20 @@ PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_i
     dig.table = build->kept->table;
     dig.mask = build->kept->mask;
     PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, first) != PARADT__DEAD);
-    dig.killed[0] = 4 * first;
+    dig.killed[0] = corners * first;
     dig.killed_count = 1;
     dig.rim_count = 0;
     dig.waiting_count = 0;
     paradt__kept_sphere(build, first);
     dig.table[(paradt__tag)first & dig.mask].tag |= PARADT__IN_CAVITY;
-    paradt__kept_begin_numbers(build, &dig);
-    for (i = 1; i < 4; i++) paradt__kept_number(&dig, dig.vertices[4 * (size_t)first + i]);
+    if (corners == 4) paradt__kept_begin_numbers(build, &dig);
+    for (i = 1; i < 4 && corners == 4; i++) paradt__kept_number(&dig, dig.vertices[4 * (size_t)first + i]);
     for (;;) {
         paradt_status status;
         head = kernels->spread(build, &dig, centred, x, head);
-        paradt__kept_limit_numbers(&dig);
+        if (corners == 4) paradt__kept_limit_numbers(&dig);
         if (head == dig.killed_count && !dig.waiting_count) break;
-        if (dig.waiting_count) paradt__kept_look_waiting(build, &dig, centred, x, kernels->remake);
+        if (dig.waiting_count) paradt__kept_look_waiting(build, &dig, centred, x, kernels->remake, corners);
         status = paradt__list_room(&build->update.killed, dig.killed_count, &build->update.killed_capacity,
                                    dig.killed_count + PARADT__DIG_ROOM, build->memory);
         if (!status)
@@ -10765,31 +10938,49 @@ PARADT__INLINE paradt_status paradt__kept_dig(paradt__insertion *build, paradt_i
     }
     build->update.killed_count = dig.killed_count;
     build->rim_count = dig.rim_count;
+    PARADT_ASSERT(dig.rim_count >= (size_t)corners);
+    if (corners == 3) return PARADT_OK;
     paradt__kept_end_numbers(build->kept, &dig);
-    PARADT_ASSERT(dig.rim_count >= 4 && dig.rim_count % 2 == 0);
-    PARADT_ASSERT(dig.rim_count > PARADT__MOST_RIM ||
+    PARADT_ASSERT(dig.rim_count % 2 == 0);
+    PARADT_ASSERT(build->kept->spokes_end == PARADT__MOST_NUMBERS || build->scene.space.weighted ||
                   build->kept->spokes_end == (2 + dig.rim_count / 2) * PARADT__NUMBER_STEP);
+    PARADT_ASSERT(build->kept->spokes_end >= (2 + dig.rim_count / 2) * PARADT__NUMBER_STEP ||
+                  build->kept->spokes_end == PARADT__MOST_NUMBERS);
     return PARADT_OK;
 }
 
-// Allocates a table of edges that is large enough for the cavity's rim, unless it would take more than half of the
+// ---------------------------------------------------------------------------------------------------------------------
+// >>stars in space
+//
+// Stars of cavities with kept spheres in space. A table of edges, by the numbers of their ends, takes the place of
+// turning around ridges. Cavities with more vertices than PARADT__RIM_VERTICES, or no table of edges, are starred by
+// >>insertion.
+// Doors: paradt__kept_vertices, paradt__kept_widen, paradt__kept_row_plain, paradt__kept_rows,
+// paradt__kept_links_plain, paradt__kept_link, paradt__kept_link_uncommon, paradt__new_cells_pad,
+// paradt__kept_make_graded, paradt__kept_make_plain, paradt__kept_ghosts.
+
+// Returns the number of the cavity's vertices, or PARADT__RIM_VERTICES + 1 if there are more.
+PARADT__INLINE size_t paradt__kept_vertices(const paradt__kept *s) {
+    return s->spokes_end / PARADT__NUMBER_STEP;
+}
+
+// Allocates a table of edges that is large enough for the cavity's vertices, unless it would take more than half of the
 // memory that the cells take; the largest table, which few stars need, may take an eighth of it. If there is no memory
 // there is no table.
 PARADT__NOINLINE void paradt__kept_widen(paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    size_t star = PARADT__WIDE_RIM, vertices, units;
-    if (build->rim_count <= PARADT__WIDE_RIM || build->rim_count <= s->large_rim || build->rim_count > PARADT__MOST_RIM)
-        return;
-    while (star < build->rim_count) star *= 2;
+    size_t star = PARADT__WIDE_RIM, wanted = paradt__kept_vertices(s), vertices, units;
+    if (wanted <= PARADT__WIDE_VERTICES || wanted <= s->large_vertices || wanted > PARADT__RIM_VERTICES) return;
+    while (2 + star / 2 < wanted) star *= 2;
     vertices = 2 + star / 2;
     units = (vertices + PARADT__EDGE_UNIT - 1) / PARADT__EDGE_UNIT | 1; // odd: columns spread over the sets of a cache
     if (vertices * units * PARADT__EDGE_UNIT > build->scene.mesh.count * (star < PARADT__MOST_RIM ? 4 : 1)) return;
     paradt__release(build->memory, s->large_edges);
-    s->large_rim = 0;
+    s->large_vertices = 0;
     s->large_edges =
         (paradt_index *)paradt__alloc(build->memory, vertices * units * PARADT__EDGE_UNIT, sizeof *s->large_edges);
     if (!s->large_edges) return;
-    s->large_rim = star;
+    s->large_vertices = vertices;
     s->large_units = units;
 }
 
@@ -10879,30 +11070,9 @@ PARADT__INLINE void paradt__kept_link(paradt__insertion *build, paradt_index *ed
 // Stores and links the new cells of a star that is larger than common ones.
 PARADT__NOINLINE void paradt__kept_link_uncommon(paradt__insertion *build) {
     paradt__kept *s = build->kept;
-    if (build->rim_count <= PARADT__WIDE_RIM)
+    if (paradt__kept_vertices(s) <= PARADT__WIDE_VERTICES)
         paradt__kept_link(build, s->wide_edges, PARADT__WIDE_UNITS, paradt__kept_links_plain);
     else paradt__kept_link(build, s->large_edges, s->large_units, paradt__kept_links_plain);
-}
-
-// Takes places for the new cells: those of the cavity's cells, then more. Fills update.made with their first handles.
-// Slots of places that have not been used lately are prefetched for the cells to come.
-PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build) {
-    enum { TOGETHER = 8 }; // handles that are copied together: both lists have room behind their last one
-    const paradt__kept *s = build->kept;
-    paradt__mesh *mesh = &build->scene.mesh;
-    paradt__update *update = &build->update;
-    size_t count = build->rim_count, killed = update->killed_count, reused = killed < count ? killed : count, i;
-    paradt_status status = killed < count ? paradt__insertion_room(build, count - killed) : PARADT_OK;
-    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + TOGETHER, build->memory);
-    if (status) return status;
-    for (i = 0; i < reused; i += TOGETHER)
-        memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
-    for (i = reused; i < count; i++) {
-        update->made[i] = 4 * paradt__mesh_take(mesh);
-        PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
-    }
-    update->made_count = count;
-    return PARADT_OK;
 }
 
 // Repeats the last of the new cells up to a multiple of four.
@@ -10971,12 +11141,12 @@ PARADT__INLINE void paradt__kept_make_any(paradt__making making, const paradt__i
                                           paradt__new_cells *star, const double *x, const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const paradt__frame frame = s->frame;
-    paradt__centred p = *centred, next = s->next;
+    paradt__centred p = paradt__base_of(making, 4, *centred, x), next = s->next;
     paradt__four_cells four;
     paradt__spoke *spoke = s->spokes, *end = paradt__spoke_at(spoke, s->spokes_end);
     int i, lane, best = 0;
     for (; spoke < end; spoke++)
-        *spoke = paradt__spoke_of(making, x, paradt__scene_record(&build->scene, spoke->vertex));
+        *spoke = paradt__spoke_of(making, 4, x, paradt__scene_record(&build->scene, spoke->vertex));
     for (lane = 0; lane < 4; lane++) {
         four.least[lane] = PARADT__NO_ERROR_BOUND;
         four.least_at[lane] = 0.0;
@@ -10997,6 +11167,12 @@ PARADT__NOINLINE void paradt__kept_make_sharp_plain(const paradt__insertion *bui
     paradt__kept_make_any(PARADT__MAKE_SHARP, build, star, x, centred);
 }
 
+// The kernel `make` with weights
+PARADT__NOINLINE void paradt__kept_make_weighted_plain(const paradt__insertion *build, paradt__new_cells *star,
+                                                       const double *x, const paradt__centred *centred) {
+    paradt__kept_make_any(PARADT__MAKE_WEIGHTED, build, star, x, centred);
+}
+
 // The kernel `make` for sagittas; it has no twin for AVX2
 PARADT__NOINLINE void paradt__kept_make_graded(const paradt__insertion *build, paradt__new_cells *star, const double *x,
                                                const paradt__centred *centred) {
@@ -11010,6 +11186,7 @@ static void paradt__kept_make_plain(const paradt__insertion *build, paradt__new_
     if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY))
         paradt__kept_make_any(PARADT__MAKE_QUICKLY, build, star, x, centred);
     else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_plain(build, star, x, centred);
+    else if (making == PARADT__MAKE_WEIGHTED) paradt__kept_make_weighted_plain(build, star, x, centred);
     else paradt__kept_make_graded(build, star, x, centred);
 }
 
@@ -11045,6 +11222,257 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
     star->count = (int)count;
 }
 
+// ---------------------------------------------------------------------------------------------------------------------
+// >>stars in the plane
+//
+// What is special to the plane of an insertion with kept spheres: how small cavities are dug, and stars. The rim is a
+// polygon there, so a new cell's neighbours are found by the vertex that they have in common, and vertices need no
+// numbers: kept->number has for each of the rim's vertices which of the new cells sees the rim from there on. Cavities
+// with more than PARADT__MOST_RIM facets are starred by >>insertion.
+// Doors: paradt__plane_spread, paradt__plane_spread_plain, paradt__plane_pad, paradt__plane_rows, paradt__plane_star,
+// paradt__plane_ghosts, paradt__plane_make_plain.
+
+// By place: from a handle in the plane to those of the cell's facets after it and before it. Tables, as compilers make
+// branches of choices, which processors can't predict here.
+static const ptrdiff_t paradt__plane_after[3] = {1, 1, -2}, paradt__plane_before[3] = {2, -1, -1};
+
+// The kernel `spread` in the plane, for cavities of any size
+PARADT__NOINLINE size_t paradt__plane_spread_large(paradt__insertion *build, paradt__dig *work,
+                                                   const paradt__centred *point, const double *x, size_t head) {
+    size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM, facets = build->rim_capacity - PARADT__DIG_ROOM;
+    paradt__dig dig = *work;
+    paradt__centred centred = *point;
+    if (!head) paradt__kept_look(build, &dig, &centred, x, dig.killed[0], 3);
+    for (; head < dig.killed_count && dig.killed_count <= cells && dig.rim_count <= facets; head++) {
+        paradt_index entry = dig.killed[head], base = 3 * (paradt_index)paradt__kept_across(entry, 3);
+        size_t place = (size_t)(entry - base);
+        dig.killed[head] = base;
+        paradt__kept_look(build, &dig, &centred, x, entry + (paradt_index)paradt__plane_after[place], 3);
+        paradt__kept_look(build, &dig, &centred, x, entry + (paradt_index)paradt__plane_before[place], 3);
+    }
+    *work = dig;
+    return head;
+}
+
+// What is known of a cell of a small cavity before it is: of the two facets that it was not entered by the handles,
+// in this cell and across, and the cells across. All of it is found while the cell's power is computed, for processors
+// wait for the power: so when the cell is dug the next powers can be computed at once.
+typedef struct paradt__ahead {
+    paradt_index inner[2], mirror[2];
+    paradt__tag across[2];
+} paradt__ahead;
+
+enum { PARADT__SMALL_CAVITY = 64 }; // cells
+
+// entry: the handle by which the cell was entered
+PARADT__INLINE void paradt__plane_find_ahead(const paradt__dig *dig, paradt_index entry, paradt__tag cell,
+                                             paradt__ahead *ahead) {
+    size_t place = (size_t)entry - 3 * (size_t)cell;
+    ahead->inner[0] = entry + (paradt_index)paradt__plane_after[place];
+    ahead->inner[1] = entry + (paradt_index)paradt__plane_before[place];
+    ahead->mirror[0] = dig->links[ahead->inner[0]];
+    ahead->mirror[1] = dig->links[ahead->inner[1]];
+    ahead->across[0] = paradt__kept_across(ahead->mirror[0], 3);
+    ahead->across[1] = paradt__kept_across(ahead->mirror[1], 3);
+}
+
+// paradt__kept_look for small cavities
+PARADT__INLINE void paradt__plane_look(paradt__insertion *build, paradt__dig *dig, paradt__ahead *ahead,
+                                       const paradt__centred *centred, const double *x, paradt_index inner,
+                                       paradt_index mirror, paradt__tag other) {
+    paradt__sphere *sphere = dig->table + (other & dig->mask);
+    double power = paradt__kept_power(sphere, centred, 3);
+    unsigned conflict = power < 0.0;
+    paradt__plane_find_ahead(dig, mirror, other, ahead + dig->killed_count);
+    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
+        if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
+            dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
+            return;
+        }
+        conflict = paradt__kept_settle(build, (paradt_index)other, centred, x, 3);
+    }
+    paradt__kept_judge(dig, inner, mirror, sphere, conflict);
+}
+
+// The kernel `spread` in the plane, fast as long as the cavity is small. Then the lists have room: they begin with room
+// for PARADT__FIRST_DIG.
+PARADT__INLINE size_t paradt__plane_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
+                                           const double *x, size_t head) {
+    paradt__ahead ahead[PARADT__SMALL_CAVITY];
+    paradt__dig dig = *work;
+    paradt__centred centred = *point;
+    size_t i;
+    if (dig.killed_count > PARADT__SMALL_CAVITY - 2) return paradt__plane_spread_large(build, work, point, x, head);
+    for (i = head; i < dig.killed_count; i++)
+        paradt__plane_find_ahead(&dig, dig.killed[i], paradt__kept_across(dig.killed[i], 3), ahead + i);
+    if (!head) {
+        paradt_index mirror = dig.links[dig.killed[0]];
+        paradt__plane_look(build, &dig, ahead, &centred, x, dig.killed[0], mirror, paradt__kept_across(mirror, 3));
+    }
+    for (; head < dig.killed_count && dig.killed_count <= PARADT__SMALL_CAVITY - 2; head++) {
+        const paradt__ahead at = ahead[head];
+        dig.killed[head] = 3 * (paradt_index)paradt__kept_across(dig.killed[head], 3);
+        paradt__plane_look(build, &dig, ahead, &centred, x, at.inner[0], at.mirror[0], at.across[0]);
+        paradt__plane_look(build, &dig, ahead, &centred, x, at.inner[1], at.mirror[1], at.across[1]);
+    }
+    *work = dig;
+    return head;
+}
+
+static size_t paradt__plane_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
+                                         const double *x, size_t head) {
+    return paradt__plane_spread(build, work, point, x, head);
+}
+
+enum { PARADT__PLANE_TOGETHER = 4 }; // cells that are made together
+
+// Fills kept->row, kept->outer and the numbers of the rim's vertices: of the new cells that see the rim from there on.
+// Sets kept->ghosts.
+PARADT__INLINE void paradt__plane_rows(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links, *rim = build->rim;
+    paradt_index ghosts = 0;
+    uint32_t *numbers = s->number + 1;
+    size_t i, j, count = build->rim_count;
+    for (i = 0; i < count; i += PARADT__PLANE_TOGETHER) {
+        PARADT__UNROLL
+        for (j = i; j < i + PARADT__PLANE_TOGETHER; j++) {
+            size_t inner = (size_t)rim[j], place = inner - 3 * (size_t)paradt__kept_across(rim[j], 3);
+            paradt_index a = vertices[inner + (size_t)paradt__plane_after[place]];
+            s->row[j][0] = a;
+            s->row[j][1] = vertices[inner + (size_t)paradt__plane_before[place]];
+            s->outer[j] = links[inner];
+            numbers[a] = (uint32_t)j;
+            ghosts |= a;
+        }
+    }
+    s->ghosts = ghosts < 0;
+}
+
+// Stores the new cells at their places, and links them. The rim is a polygon; the cell on its edge from a to b is next
+// to the one on the edge that begins at b.
+PARADT__INLINE void paradt__plane_star(paradt__insertion *build, paradt_index point) {
+    const paradt__kept *s = build->kept;
+    const uint32_t *numbers = s->number + 1;
+    const paradt_index *made = build->update.made;
+    paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
+    size_t i, j, count = build->rim_count;
+    for (i = 0; i < count; i += PARADT__PLANE_TOGETHER) {
+        PARADT__UNROLL
+        for (j = i; j < i + PARADT__PLANE_TOGETHER; j++) {
+            paradt_index base = made[j], b = s->row[j][1], outer = s->outer[j], next = made[numbers[b]] + 1;
+            vertices[base] = s->row[j][0];
+            vertices[base + 1] = b;
+            vertices[base + 2] = point;
+            links[base] = next;
+            links[next] = base;
+            links[base + 2] = outer;
+            links[outer] = base + 2;
+        }
+    }
+}
+
+// Repeats the last facet of the rim, and the last new cell, so that stars can be made of several cells at a time: then
+// the number of rounds is nearly always the same, which processors can predict. What is repeated is stored again.
+PARADT__INLINE void paradt__plane_pad(const paradt__insertion *build) {
+    paradt_index *rim = build->rim + build->rim_count, *made = build->update.made + build->rim_count;
+    const paradt_index facet = rim[-1], cell = made[-1];
+    int i;
+    for (i = 0; i < PARADT__PLANE_TOGETHER - 1; i++) {
+        rim[i] = facet;
+        made[i] = cell;
+    }
+}
+
+// Makes the functions of the two ghosts among the new cells, and fills `star` with the others.
+PARADT__NOINLINE void paradt__plane_ghosts(paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                           const paradt__centred *centred) {
+    paradt__kept *s = build->kept;
+    const paradt_index *made = build->update.made;
+    size_t count = build->rim_count, last = count - 1; // what comes after it repeats it
+    size_t from = s->number[0] < last ? s->number[0] : last, to = 0, high, low, i;
+    paradt__tag a, b;
+    for (i = 0; i < count; i++) to |= i & (0 - (size_t)(s->row[i][1] < 0));
+    high = from > to ? from : to;
+    low = from + to - high;
+    a = paradt__kept_across(made[from], 3);
+    b = paradt__kept_across(made[to], 3);
+    PARADT_ASSERT(s->row[from][0] == PARADT__INFINITE && s->row[to][1] == PARADT__INFINITE);
+    paradt__sphere_of_edge(s, s->table + (a & s->mask), centred, paradt__scene_record(&build->scene, s->row[from][1]),
+                           x);
+    paradt__sphere_of_edge(s, s->table + (b & s->mask), centred, x, paradt__scene_record(&build->scene, s->row[to][0]));
+    s->table[a & s->mask].tag = a;
+    s->table[b & s->mask].tag = b;
+    star->base = s->finite_base;
+    star->count = (int)(count - 2);
+    for (i = 0; i < count; i += PARADT__PLANE_TOGETHER)
+        memcpy(star->base + i, made + i, PARADT__PLANE_TOGETHER * sizeof *made);
+    star->base[high] = star->base[count - 1];
+    star->base[low] = star->base[count - 2];
+    for (i = count - 2; i < count + 1; i++) star->base[i] = star->base[0];
+}
+
+// The kernel `make` in the plane
+PARADT__INLINE void paradt__plane_make_any(paradt__making making, const paradt__insertion *build,
+                                           paradt__new_cells *star, const double *x, const paradt__centred *centred) {
+    paradt__kept *s = build->kept;
+    const paradt__frame frame = s->frame;
+    paradt__centred p = paradt__base_of(making, 3, *centred, x), next = s->next;
+    double least = PARADT__NO_ERROR_BOUND;
+    int i;
+    for (i = 0; i < star->count; i++) {
+        const paradt_index *row = build->scene.mesh.vertices + star->base[i];
+        paradt__tag cell = paradt__kept_across(star->base[i], 3);
+        paradt__sphere *circle = s->table + (cell & s->mask);
+        paradt__spoke a = paradt__spoke_of(making, 3, x, paradt__scene_record(&build->scene, row[0]));
+        paradt__spoke b = paradt__spoke_of(making, 3, x, paradt__scene_record(&build->scene, row[1]));
+        double power;
+        paradt__circle_make(making, &frame, &p, a.edge, b.edge, circle);
+        circle->tag = cell;
+        power = paradt__kept_power(circle, &next, 3);
+        s->start = power < least ? (paradt_index)cell : s->start;
+        least = power < least ? power : least;
+    }
+}
+
+static void paradt__plane_make_plain(const paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                     const paradt__centred *centred) {
+    paradt__making making = build->kept->making;
+    if (PARADT__LIKELY(making == PARADT__MAKE_SHARP))
+        paradt__plane_make_any(PARADT__MAKE_SHARP, build, star, x, centred);
+    else if (making == PARADT__MAKE_WEIGHTED) paradt__plane_make_any(PARADT__MAKE_WEIGHTED, build, star, x, centred);
+    else paradt__plane_make_any(PARADT__MAKE_GRADED, build, star, x, centred);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>insertion by spheres
+//
+// The insertion once more for two and three dimensions, with kept spheres: locate, dig, star, where the new cells take
+// the places of the cavity's cells. Between two insertions no tag has PARADT__IN_CAVITY, kept->evicted is 0, and
+// kept->next is the point to come.
+// Doors: paradt__kept_insert, paradt__plane_insert, paradt__kept_insert_any, paradt__kept_look_ahead.
+
+// Takes places for the new cells: those of the cavity's cells, then more. Fills update.made with their first handles.
+// Slots of places that have not been used lately are prefetched for the cells to come.
+PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build, int corners) {
+    enum { TOGETHER = 8 }; // handles that are copied together: both lists have room behind their last one
+    const paradt__kept *s = build->kept;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t count = build->rim_count, killed = update->killed_count, reused = killed < count ? killed : count, i;
+    paradt_status status = killed < count ? paradt__insertion_room(build, count - killed) : PARADT_OK;
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, count + TOGETHER, build->memory);
+    if (status) return status;
+    for (i = 0; i < reused; i += TOGETHER)
+        memcpy(update->made + i, update->killed + i, TOGETHER * sizeof *update->made);
+    for (i = reused; i < count; i++) {
+        update->made[i] = corners * paradt__mesh_take(mesh);
+        PARADT__PREFETCH_TO_WRITE(s->table + ((paradt__tag)(mesh->count + PARADT__PLACES_AHEAD) & s->mask));
+    }
+    update->made_count = count;
+    return PARADT_OK;
+}
+
 // Makes the spheres of the new cells, and chooses where the search for the next point starts.
 PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *centred,
                                          const paradt__kept_kernels *kernels) {
@@ -11053,37 +11481,41 @@ PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double 
     star.base = build->update.made;
     star.offsets = s->offsets;
     star.count = (int)build->rim_count;
-    s->start = build->update.made[0] >> 2;
-    if (!PARADT__LIKELY(!s->ghosts)) paradt__kept_ghosts(build, &star, x, centred);
+    s->start = (paradt_index)paradt__kept_across(build->update.made[0], kernels->corners);
+    if (!PARADT__LIKELY(!s->ghosts)) {
+        if (kernels->corners == 4) paradt__kept_ghosts(build, &star, x, centred);
+        else paradt__plane_ghosts(build, &star, x, centred);
+    }
     if (star.count) kernels->make(build, &star, x, centred);
 }
 
 // Gives back the places of the cavity's cells from number `first` on, and takes their spheres out of the table.
-static paradt_status paradt__kept_clear(paradt__insertion *build, size_t first) {
+PARADT__INLINE paradt_status paradt__kept_clear(paradt__insertion *build, size_t first, int corners) {
     paradt__kept *s = build->kept;
     const paradt__update *update = &build->update;
     size_t i;
     paradt_status status = paradt__mesh_spare_room(&build->scene.mesh, update->killed_count - first, build->memory);
     if (status) return status;
     for (i = first; i < update->killed_count; i++) {
-        paradt__tag cell = (paradt__tag)update->killed[i] >> 2, *tag = &s->table[cell & s->mask].tag;
+        paradt__tag cell = paradt__kept_across(update->killed[i], corners), *tag = &s->table[cell & s->mask].tag;
         if (*tag & PARADT__IN_CAVITY) *tag = PARADT__NO_SPHERE;
-        paradt__mesh_give(&build->scene.mesh, (paradt_index)cell, 4);
+        paradt__mesh_give(&build->scene.mesh, (paradt_index)cell, (size_t)corners);
     }
     return PARADT_OK;
 }
 
-// Stars a cavity whose rim is too large for the tables of edges, by >>insertion.
+// Stars a cavity that is too large for the tables of edges, by >>insertion.
 static paradt_status paradt__kept_star_large(paradt__insertion *build, paradt_index point) {
     paradt__kept *s = build->kept;
     paradt_status status = paradt__cavity_star(build, point);
     size_t i;
     for (i = 0; i < build->update.made_count && !status; i++) {
-        paradt__tag cell = (paradt__tag)build->update.made[i] >> 2;
+        paradt__tag cell = (paradt__tag)paradt__mesh_cell(&build->scene.mesh, build->update.made[i]);
         s->table[cell & s->mask].tag = PARADT__NO_SPHERE;
     }
     s->start = build->scene.hint;
-    return status ? status : paradt__kept_clear(build, 0);
+    if (status) return status;
+    return s->corners == 4 ? paradt__kept_clear(build, 0, 4) : paradt__kept_clear(build, 0, 3);
 }
 
 // Prepares the next insertion: sets kept->next, and prefetches the record of a later point.
@@ -11101,77 +11533,97 @@ PARADT__INLINE void paradt__kept_dug(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t i;
     for (i = 0; s->evicted && i < build->update.killed_count; i++)
-        build->scene.mesh.marks[build->update.killed[i] >> 2] = 0;
+        build->scene.mesh.marks[paradt__mesh_cell(&build->scene.mesh, build->update.killed[i])] = 0;
     s->evicted = 0;
     s->made_count += build->rim_count;
     if (!PARADT__LIKELY(s->missed_count + s->doubtful_count <= s->mask)) paradt__kept_adapt(build);
+}
+
+// Ends an insertion that changes nothing.
+static paradt_status paradt__kept_hide(paradt__insertion *build) {
+    build->update.killed_count = build->update.made_count = 0;
+    paradt__kept_look_ahead(build);
+    return PARADT_OK;
+}
+
+// Is the cavity too large for the tables that stars are made with? In space, makes larger ones.
+PARADT__NOINLINE int paradt__kept_is_too_large(paradt__insertion *build) {
+    paradt__kept *s = build->kept;
+    size_t vertices = paradt__kept_vertices(s);
+    if (s->corners == 3) return build->rim_count > PARADT__MOST_RIM;
+    paradt__kept_widen(build);
+    return vertices > PARADT__WIDE_VERTICES && vertices > s->large_vertices;
+}
+
+// Is the cavity so small that the smallest tables will do?
+PARADT__INLINE int paradt__kept_is_common(const paradt__insertion *build, int corners) {
+    if (corners == 3) return build->rim_count <= PARADT__MOST_RIM;
+    return build->kept->spokes_end <= (int)PARADT__COMMON_VERTICES * (int)PARADT__NUMBER_STEP;
 }
 
 // Inserts a point that is kept->next: locate, dig, star. Inlined with constant kernels
 PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
                                                      const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
+    const int corners = kernels->corners;
     const double *x = paradt__scene_record(&build->scene, point);
     paradt__centred centred = s->next;
-    paradt_index first = paradt__kept_locate(build, &centred, x);
-    paradt_status status = paradt__kept_dig(build, first, &centred, x, kernels);
+    paradt_index first = paradt__kept_locate(build, &centred, x, corners);
+    paradt_status status;
     int is_common;
+    if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
+    status = paradt__kept_dig(build, first, &centred, x, kernels);
     if (!PARADT__LIKELY(!build->witness) && !status) status = build->witness->dug(build->witness, build);
     if (status) return status;
     paradt__kept_look_ahead(build);
     paradt__kept_dug(build);
-    is_common = build->rim_count <= PARADT__COMMON_RIM;
-    if (!PARADT__LIKELY(is_common)) paradt__kept_widen(build);
-    if (!PARADT__LIKELY(is_common) && build->rim_count > PARADT__WIDE_RIM && build->rim_count > s->large_rim)
-        return paradt__kept_star_large(build, point);
-    status = paradt__kept_places(build);
+    is_common = paradt__kept_is_common(build, corners);
+    if (!PARADT__LIKELY(is_common) && paradt__kept_is_too_large(build)) return paradt__kept_star_large(build, point);
+    status = paradt__kept_places(build, corners);
     if (status) return status;
-    paradt__kept_rows(build, point, kernels);
-    if (PARADT__LIKELY(is_common))
-        paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_UNIT, kernels->store_links);
-    else paradt__kept_link_uncommon(build);
+    if (corners == 3) {
+        paradt__plane_pad(build);
+        paradt__plane_rows(build);
+        paradt__plane_star(build, point);
+    } else {
+        paradt__kept_rows(build, point, kernels);
+        if (PARADT__LIKELY(is_common))
+            paradt__kept_link(build, s->common_edges, PARADT__COMMON_VERTICES / PARADT__EDGE_UNIT,
+                              kernels->store_links);
+        else paradt__kept_link_uncommon(build);
+    }
     paradt__kept_spheres(build, x, &centred, kernels);
     PARADT_ASSERT(build->update.made_count == build->rim_count);
-    return build->rim_count < build->update.killed_count ? paradt__kept_clear(build, build->rim_count) : PARADT_OK;
+    return build->rim_count < build->update.killed_count ? paradt__kept_clear(build, build->rim_count, corners)
+                                                         : PARADT_OK;
 }
 
 // Inserts the point kept->next, by plain kernels.
 static paradt_status paradt__kept_insert(paradt__insertion *build, paradt_index point) {
-    const paradt__kept_kernels kernels = {paradt__kept_spread_plain, paradt__kept_remake_plain, paradt__kept_make_plain,
-                                          paradt__kept_row_plain, paradt__kept_links_plain};
+    const paradt__kept_kernels kernels = {4,
+                                          paradt__kept_spread_plain,
+                                          paradt__kept_remake_plain,
+                                          paradt__kept_make_plain,
+                                          paradt__kept_row_plain,
+                                          paradt__kept_links_plain};
     return paradt__kept_insert_any(build, point, &kernels);
 }
 
-// Prefetches what the insertion of a point in conflict with the cell looks at, up to three facets away. If nothing of
-// it is in a cache, the insertion would otherwise wait for one thing after another.
-PARADT__INLINE void paradt__kept_fetch_around(const paradt__insertion *build, paradt_index cell) {
-    enum { CELLS = 1 + 4 + 12 }; // at distances 0, 1 and 2
-    const paradt__kept *s = build->kept;
-    paradt_index around[CELLS];
-    size_t count = 1, i, j;
-    around[0] = cell;
-    for (i = 0; i < count; i++) {
-        const paradt_index *vertices = build->scene.mesh.vertices + 4 * (size_t)around[i];
-        const paradt_index *links = build->scene.mesh.links + 4 * (size_t)around[i];
-        for (j = 0; j < 4; j++) {
-            paradt_index other = links[j] >> 2;
-            paradt__fetch_row(build->scene.mesh.vertices, build->scene.mesh.links, (size_t)other, 4);
-            PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
-            if (vertices[j] >= 0) PARADT__PREFETCH(paradt__scene_record(&build->scene, vertices[j]));
-            PARADT__FETCH(s->number, vertices[j] + 1);
-            if (count < CELLS) around[count++] = other;
-        }
-    }
+// The same in the plane
+static paradt_status paradt__plane_insert(paradt__insertion *build, paradt_index point) {
+    const paradt__kept_kernels kernels = {
+        3, paradt__plane_spread_plain, paradt__kept_remake_plain, paradt__plane_make_plain, NULL, NULL};
+    return paradt__kept_insert_any(build, point, &kernels);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>insertion in space by AVX2
 //
-// The kernels of >>insertion in space for four facets, cells or vertices together, chosen at run time where the
-// processor has AVX2 and FMA. They differ from the plain ones in the last bits of powers at most, and powers decide
-// nothing where these bits matter. In names `four` stands for four lanes.
-// Doors: paradt__kept_insert_avx2,
-// paradt__dot_avx2, paradt__four_spheres, paradt__four_differences.
+// The kernels of >>digging by spheres and >>stars in space for four facets, cells or vertices together, chosen at run
+// time where the processor has AVX2 and FMA. They differ from the plain ones in the last bits of powers at most, and
+// powers decide nothing where these bits matter. In names `four` stands for four lanes. Doors: PARADT__KEPT_AVX2,
+// paradt__kept_insert_avx2, paradt__dot_avx2, paradt__four_spheres, paradt__four_differences, paradt__abs_avx2,
+// paradt__two_halves, paradt__four_store, paradt__four_least.
 
 #if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
 #define PARADT__KEPT_AVX2 1
@@ -11349,9 +11801,17 @@ PARADT__AVX2 PARADT__INLINE __m256d paradt__cross_avx2(const __m256d *a, const _
     return sign > 0 ? _mm256_fmsub_pd(a[j], b[k], product) : _mm256_fmadd_pd(a[j], b[k], product);
 }
 
+// paradt__lift_size of four edges
+PARADT__AVX2 PARADT__INLINE __m256d paradt__four_lift_sizes(paradt__making making, const __m256d *a) {
+    __m256d square;
+    if (making != PARADT__MAKE_WEIGHTED) return a[3];
+    square = paradt__dot_avx2(a, a);
+    return _mm256_add_pd(square, paradt__abs_avx2(_mm256_sub_pd(square, a[3])));
+}
+
 // Computes P and sum N_j h_j of paradt__sphere_make for four cells.
-PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *half, const __m256d *a, const __m256d *b,
-                                                    const __m256d *c, __m256d *size, __m256d *sides) {
+PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(paradt__making making, const __m256d *half, const __m256d *a,
+                                                    const __m256d *b, const __m256d *c, __m256d *size, __m256d *sides) {
     __m256d sa[3], sb[3], sc[3], m[3], n[3];
     int i;
     for (i = 0; i < 3; i++) {
@@ -11360,13 +11820,14 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
         sc[i] = paradt__abs_avx2(c[i]);
         m[i] = _mm256_add_pd(_mm256_add_pd(sa[i], sb[i]), sc[i]);
     }
-    if (sharp) {
-        __m256d bc[3];
+    if (making != PARADT__MAKE_QUICKLY) {
+        __m256d bc[3], la = paradt__four_lift_sizes(making, a), lb = paradt__four_lift_sizes(making, b);
+        __m256d lc = paradt__four_lift_sizes(making, c);
         for (i = 0; i < 3; i++) {
             bc[i] = paradt__cross_avx2(sb, sc, i, -1);
-            n[i] = _mm256_mul_pd(a[3], bc[i]);
-            n[i] = _mm256_fmadd_pd(b[3], paradt__cross_avx2(sc, sa, i, -1), n[i]);
-            n[i] = _mm256_fmadd_pd(c[3], paradt__cross_avx2(sa, sb, i, -1), n[i]);
+            n[i] = _mm256_mul_pd(la, bc[i]);
+            n[i] = _mm256_fmadd_pd(lb, paradt__cross_avx2(sc, sa, i, -1), n[i]);
+            n[i] = _mm256_fmadd_pd(lc, paradt__cross_avx2(sa, sb, i, -1), n[i]);
         }
         *size = paradt__dot_avx2(sa, bc);
         *sides = paradt__dot_avx2(half, n);
@@ -11380,14 +11841,14 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(int sharp, const __m256d *ha
 }
 
 // Makes the spheres of four cells, as paradt__sphere_make does. sphere: the normals by axis, and the constants; p: by
-// axis relative to the box's centre, and the lift; a, b, c: by axis, and the squares of their lengths
-PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(int sharp, const paradt__frame *f, const __m256d *p,
+// axis relative to the box's centre, and the lift; a, b, c: by axis, and what the fourth element of a spoke's edge is
+PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(paradt__making making, const paradt__frame *f, const __m256d *p,
                                                       const __m256d *a, const __m256d *b, const __m256d *c,
                                                       __m256d *sphere, __m256d *error) {
     const __m256d half[3] = {_mm256_set1_pd(f->half[0]), _mm256_set1_pd(f->half[1]), _mm256_set1_pd(f->half[2])};
     __m256d ab[3], v[3], w[3], sizes[3], size, sides, floor, det, inverse, doubt;
     int i;
-    paradt__four_sizes(sharp, half, a, b, c, &size, &sides);
+    paradt__four_sizes(making, half, a, b, c, &size, &sides);
     floor = _mm256_set1_pd(1.0 / PARADT__NO_ERROR_BOUND);
     floor = _mm256_fmadd_pd(sides, _mm256_set1_pd(1.0 / PARADT__FLATTEST), floor);
     floor = _mm256_fmadd_pd(size, _mm256_set1_pd(32.0 * PARADT__UNIT_ERROR), floor);
@@ -11440,38 +11901,46 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_store(paradt__sphere *table, parad
     _mm_store_pd(to[3] + 4, _mm256_extractf128_pd(rest_13, 1));
 }
 
-// Returns the differences of four points to another point, by axis.
-PARADT__AVX2 PARADT__INLINE void paradt__four_differences(const double *a, const double *b, const double *c,
-                                                          const double *d, const __m256d *point, __m256d *to) {
-    __m256d xy_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(c), 1);
-    __m256d xy_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(b)), _mm_loadu_pd(d), 1);
-    __m256d z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(a + 2)), _mm_load_sd(c + 2), 1);
-    __m256d z_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(b + 2)), _mm_load_sd(d + 2), 1);
+// Returns two elements of a row and two of another.
+PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const double *b) {
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
+}
+
+// Returns the differences of four points to another point, by axis; weighted: and of their weights
+PARADT__AVX2 PARADT__INLINE void paradt__four_differences(int weighted, const double *a, const double *b,
+                                                          const double *c, const double *d, const __m256d *point,
+                                                          __m256d *to) {
+    __m256d xy_02 = paradt__two_halves(a, c), xy_13 = paradt__two_halves(b, d), z_02, z_13;
     to[0] = _mm256_sub_pd(_mm256_unpacklo_pd(xy_02, xy_13), point[0]);
     to[1] = _mm256_sub_pd(_mm256_unpackhi_pd(xy_02, xy_13), point[1]);
+    if (weighted) {
+        z_02 = paradt__two_halves(a + 2, c + 2);
+        z_13 = paradt__two_halves(b + 2, d + 2);
+        to[3] = _mm256_sub_pd(_mm256_unpackhi_pd(z_02, z_13), point[3]);
+    } else {
+        z_02 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(a + 2)), _mm_load_sd(c + 2), 1);
+        z_13 = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_sd(b + 2)), _mm_load_sd(d + 2), 1);
+    }
     to[2] = _mm256_sub_pd(_mm256_unpacklo_pd(z_02, z_13), point[2]);
 }
 
 // Replaces the vertices in kept->spokes by the edges from the point to them. Any vertex will do to fill up the last
 // four.
-PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(const paradt__insertion *build, const __m256d *point) {
+PARADT__AVX2 PARADT__INLINE void paradt__kept_edges_avx2(paradt__making making, const paradt__insertion *build,
+                                                         const __m256d *point) {
     paradt__spoke *at = build->kept->spokes, *end = paradt__spoke_at(at, build->kept->spokes_end);
     int i;
     for (i = 0; i < 3; i++) end[i].vertex = 0;
     for (; at < end; at += 4) {
-        __m256d to[4];
-        paradt__four_differences(paradt__scene_record(&build->scene, at[0].vertex),
+        __m256d to[4], square;
+        paradt__four_differences(making == PARADT__MAKE_WEIGHTED, paradt__scene_record(&build->scene, at[0].vertex),
                                  paradt__scene_record(&build->scene, at[1].vertex),
                                  paradt__scene_record(&build->scene, at[2].vertex),
                                  paradt__scene_record(&build->scene, at[3].vertex), point, to);
-        to[3] = paradt__dot_avx2(to, to);
+        square = paradt__dot_avx2(to, to);
+        to[3] = making == PARADT__MAKE_WEIGHTED ? _mm256_sub_pd(square, to[3]) : square;
         paradt__four_rows(to, at[0].edge, at[1].edge, at[2].edge, at[3].edge);
     }
-}
-
-// Returns two elements of a row and two of another.
-PARADT__AVX2 PARADT__INLINE __m256d paradt__two_halves(const double *a, const double *b) {
-    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(a)), _mm_loadu_pd(b), 1);
 }
 
 // Returns, by axis, the edges to the vertices with number `vertex` of four new cells.
@@ -11497,14 +11966,15 @@ PARADT__AVX2 PARADT__INLINE paradt_index paradt__four_least(__m256d powers, __m1
     return cell[paradt__trailing_zeros((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(powers, least, _CMP_EQ_OQ)))];
 }
 
-// The kernel `make` for quick or sharp bounds
-PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt__insertion *build,
+// The kernel `make` but for sagittas
+PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(paradt__making making, const paradt__insertion *build,
                                                         paradt__new_cells *star, const double *x,
                                                         const paradt__centred *centred) {
     paradt__kept *s = build->kept;
-    const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2])};
+    const __m256d point[4] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]), _mm256_set1_pd(x[2]),
+                              _mm256_set1_pd(making == PARADT__MAKE_WEIGHTED ? x[3] : 0.0)};
     const __m256d p[4] = {_mm256_set1_pd(centred->s[0]), _mm256_set1_pd(centred->s[1]), _mm256_set1_pd(centred->s[2]),
-                          _mm256_set1_pd(centred->lift)};
+                          _mm256_set1_pd(paradt__base_of(making, 4, *centred, x).lift)};
     const __m256d next[3] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1]), _mm256_set1_pd(s->next.s[2])};
     const paradt__frame frame = s->frame;
     paradt__sphere *table = s->table;
@@ -11512,7 +11982,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
     __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
     __m128i best = _mm_set1_epi32(star->base[0] >> 2);
     int i, count = star->count;
-    paradt__kept_edges_avx2(build, point);
+    paradt__kept_edges_avx2(making, build, point);
     paradt__new_cells_pad(star);
     for (i = 0; i < count; i += 4) {
         __m256d a[4], b[4], c[4], sphere[4], error, power, less;
@@ -11520,7 +11990,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
         paradt__four_edges(s, star->offsets + i, 1, a);
         paradt__four_edges(s, star->offsets + i, 0, b);
         paradt__four_edges(s, star->offsets + i, 2, c);
-        paradt__four_spheres(sharp, &frame, p, a, b, c, sphere, &error);
+        paradt__four_spheres(making, &frame, p, a, b, c, sphere, &error);
         paradt__four_store(table, mask, cells, sphere, error);
         power =
             _mm256_add_pd(sphere[3], paradt__dot_avx2(sphere, next)); // without the next point's lift, which all have
@@ -11535,41 +12005,52 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_make_four(int sharp, const paradt_
 
 PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_sharp_avx2(const paradt__insertion *build, paradt__new_cells *star,
                                                                 const double *x, const paradt__centred *centred) {
-    paradt__kept_make_four(1, build, star, x, centred);
+    paradt__kept_make_four(PARADT__MAKE_SHARP, build, star, x, centred);
+}
+
+PARADT__AVX2 PARADT__NOINLINE void paradt__kept_make_weighted_avx2(const paradt__insertion *build,
+                                                                   paradt__new_cells *star, const double *x,
+                                                                   const paradt__centred *centred) {
+    paradt__kept_make_four(PARADT__MAKE_WEIGHTED, build, star, x, centred);
 }
 
 // The kernel `make`
 PARADT__AVX2 static void paradt__kept_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
                                                 const double *x, const paradt__centred *centred) {
     paradt__making making = build->kept->making;
-    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY)) paradt__kept_make_four(0, build, star, x, centred);
+    if (PARADT__LIKELY(making == PARADT__MAKE_QUICKLY))
+        paradt__kept_make_four(PARADT__MAKE_QUICKLY, build, star, x, centred);
     else if (making == PARADT__MAKE_SHARP) paradt__kept_make_sharp_avx2(build, star, x, centred);
+    else if (making == PARADT__MAKE_WEIGHTED) paradt__kept_make_weighted_avx2(build, star, x, centred);
     else paradt__kept_make_graded(build, star, x, centred);
 }
 
-// Makes the spheres of four cells again, none of them a ghost.
-PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(const paradt__insertion *build, const int *cells) {
+// Makes the spheres of four cells again, none of them a ghost. making: kept->making, or a constant
+PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(paradt__making making, const paradt__insertion *build,
+                                                          const int *cells) {
     const paradt__kept *s = build->kept;
     const __m256d centre[3] = {_mm256_set1_pd(s->centre[0]), _mm256_set1_pd(s->centre[1]),
                                _mm256_set1_pd(s->centre[2])};
-    __m256d corner[4][4], p[4], sphere[4], error;
+    __m256d corner[4][4], p[4], sphere[4], error, square;
+    const int weighted = making == PARADT__MAKE_WEIGHTED;
     int i, axis;
     for (i = 0; i < 4; i++) {
         const paradt_index *vertices = build->scene.mesh.vertices + i;
-        const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
-        paradt__four_differences(paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
+        const __m256d zero[4] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
+        paradt__four_differences(weighted, paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[0]]),
                                  paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[1]]),
                                  paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
                                  paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
     }
     for (i = 0; i < 3; i++) {
         for (axis = 0; axis < 3; axis++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
-        corner[i][3] = paradt__dot_avx2(corner[i], corner[i]);
+        square = paradt__dot_avx2(corner[i], corner[i]);
+        corner[i][3] = weighted ? _mm256_sub_pd(square, _mm256_sub_pd(corner[i][3], corner[3][3])) : square;
     }
     for (axis = 0; axis < 3; axis++) p[axis] = _mm256_sub_pd(corner[3][axis], centre[axis]);
-    p[3] = paradt__dot_avx2(p, p);
-    paradt__four_spheres(s->making == PARADT__MAKE_SHARP, &s->frame, p, corner[1], corner[0], corner[2], sphere,
-                         &error);
+    square = paradt__dot_avx2(p, p);
+    p[3] = weighted ? _mm256_add_pd(square, corner[3][3]) : square;
+    paradt__four_spheres(making, &s->frame, p, corner[1], corner[0], corner[2], sphere, &error);
     paradt__four_store(s->table, s->mask, _mm_loadu_si128((const __m128i *)(const void *)cells), sphere, error);
 }
 
@@ -11590,7 +12071,12 @@ PARADT__AVX2 static void paradt__kept_remake_avx2(const paradt__insertion *build
     }
     for (i = 0; i < missing; i++) paradt__kept_evict(build, cells[i]);
     for (i = missing; i % 4; i++) cells[i] = cells[missing - 1];
-    for (i = 0; i < missing; i += 4) paradt__kept_remake_four(build, cells + i);
+    if (s->making == PARADT__MAKE_WEIGHTED) {
+        for (i = 0; i < missing; i += 4) paradt__kept_remake_four(PARADT__MAKE_WEIGHTED, build, cells + i);
+    } else {
+        const paradt__making making = s->making == PARADT__MAKE_SHARP ? PARADT__MAKE_SHARP : PARADT__MAKE_QUICKLY;
+        for (i = 0; i < missing; i += 4) paradt__kept_remake_four(making, build, cells + i);
+    }
     for (i = 0; i < missing && s->evicted; i++) { // else no cell has the mark
         paradt__sphere *sphere = s->table + ((paradt__tag)cells[i] & s->mask);
         if (build->scene.mesh.marks[cells[i]] & PARADT__CONFLICT && sphere->tag == (paradt__tag)cells[i])
@@ -11624,8 +12110,140 @@ PARADT__AVX2 static void paradt__kept_links_avx2(paradt_index *links, paradt_ind
 
 // Inserts the point kept->next, by these kernels.
 PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *build, paradt_index point) {
-    const paradt__kept_kernels kernels = {paradt__kept_spread_avx2, paradt__kept_remake_avx2, paradt__kept_make_avx2,
-                                          paradt__kept_row_avx2, paradt__kept_links_avx2};
+    const paradt__kept_kernels kernels = {4,
+                                          paradt__kept_spread_avx2,
+                                          paradt__kept_remake_avx2,
+                                          paradt__kept_make_avx2,
+                                          paradt__kept_row_avx2,
+                                          paradt__kept_links_avx2};
+    return paradt__kept_insert_any(build, point, &kernels);
+}
+
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>the plane by AVX2
+//
+// The kernels of >>stars in the plane for four cells together, as in the section before.
+// Doors: paradt__plane_insert_avx2.
+
+#if defined(PARADT__KEPT_AVX2)
+PARADT__AVX2 static size_t paradt__plane_spread_avx2(paradt__insertion *build, paradt__dig *work,
+                                                     const paradt__centred *point, const double *x, size_t head) {
+    return paradt__plane_spread(build, work, point, x, head);
+}
+
+// Makes the circles of four cells, as paradt__circle_make does. p: by axis, and what the constants have of its lift; a,
+// b: by axis, and as in a spoke
+PARADT__AVX2 PARADT__INLINE void paradt__four_circles(paradt__making making, const paradt__frame *f, const __m256d *p,
+                                                      const __m256d *a, const __m256d *b, __m256d *circle,
+                                                      __m256d *error) {
+    const __m256d half[2] = {_mm256_set1_pd(f->half[0]), _mm256_set1_pd(f->half[1])};
+    __m256d sa[2], sb[2], w[2], size, sides, floor, det, inverse, doubt, la = a[3], lb = b[3], square;
+    int i;
+    if (making == PARADT__MAKE_GRADED) {
+        la = _mm256_add_pd(paradt__abs_avx2(la), _mm256_set1_pd(f->slack));
+        lb = _mm256_add_pd(paradt__abs_avx2(lb), _mm256_set1_pd(f->slack));
+    }
+    if (making == PARADT__MAKE_WEIGHTED) {
+        square = _mm256_fmadd_pd(a[1], a[1], _mm256_mul_pd(a[0], a[0]));
+        la = _mm256_add_pd(square, paradt__abs_avx2(_mm256_sub_pd(square, la)));
+        square = _mm256_fmadd_pd(b[1], b[1], _mm256_mul_pd(b[0], b[0]));
+        lb = _mm256_add_pd(square, paradt__abs_avx2(_mm256_sub_pd(square, lb)));
+    }
+    for (i = 0; i < 2; i++) {
+        sa[i] = paradt__abs_avx2(a[i]);
+        sb[i] = paradt__abs_avx2(b[i]);
+    }
+    size = _mm256_fmadd_pd(sa[0], sb[1], _mm256_mul_pd(sa[1], sb[0]));
+    sides = _mm256_mul_pd(half[0], _mm256_fmadd_pd(la, sb[1], _mm256_mul_pd(lb, sa[1])));
+    sides = _mm256_fmadd_pd(half[1], _mm256_fmadd_pd(lb, sa[0], _mm256_mul_pd(la, sb[0])), sides);
+    floor = _mm256_set1_pd(1.0 / PARADT__NO_ERROR_BOUND);
+    floor = _mm256_fmadd_pd(sides, _mm256_set1_pd(1.0 / PARADT__FLATTEST), floor);
+    floor = _mm256_fmadd_pd(size, _mm256_set1_pd(32.0 * PARADT__UNIT_ERROR), floor);
+    det = _mm256_fmsub_pd(a[0], b[1], _mm256_mul_pd(a[1], b[0]));
+    inverse = _mm256_div_pd(_mm256_set1_pd(1.0), _mm256_max_pd(det, floor));
+    w[0] = _mm256_mul_pd(_mm256_fmsub_pd(a[3], b[1], _mm256_mul_pd(b[3], a[1])), inverse);
+    w[1] = _mm256_mul_pd(_mm256_fmsub_pd(b[3], a[0], _mm256_mul_pd(a[3], b[0])), inverse);
+    doubt = _mm256_mul_pd(paradt__abs_avx2(w[0]), half[0]);
+    doubt = _mm256_fmadd_pd(paradt__abs_avx2(w[1]), half[1], doubt);
+    doubt = _mm256_fmadd_pd(size, doubt, sides);
+    doubt = _mm256_fmadd_pd(doubt, inverse, _mm256_set1_pd(f->square));
+    for (i = 0; i < 2; i++)
+        circle[i] = _mm256_fmsub_pd(_mm256_set1_pd(making == PARADT__MAKE_GRADED ? -0.0 : -2.0), p[i], w[i]);
+    circle[2] = _mm256_setzero_pd();
+    circle[3] = _mm256_fmadd_pd(w[0], p[0], _mm256_fmadd_pd(w[1], p[1], p[3]));
+    *error = _mm256_blendv_pd(_mm256_set1_pd(PARADT__NO_ERROR_BOUND),
+                              _mm256_mul_pd(doubt, _mm256_set1_pd(64.0 * PARADT__UNIT_ERROR)),
+                              _mm256_cmp_pd(det, floor, _CMP_GT_OQ));
+}
+
+// Returns the edges from the new point to a vertex of each of four new cells.
+PARADT__AVX2 PARADT__INLINE void paradt__four_plane_edges(paradt__making making, const paradt__insertion *build,
+                                                          const paradt_index *base, const __m256d *point, __m256d *to) {
+    const paradt_index *vertices = build->scene.mesh.vertices;
+    const double *a = paradt__scene_record(&build->scene, vertices[base[0]]);
+    const double *b = paradt__scene_record(&build->scene, vertices[base[1]]);
+    const double *c = paradt__scene_record(&build->scene, vertices[base[2]]);
+    const double *d = paradt__scene_record(&build->scene, vertices[base[3]]);
+    __m256d xy_02 = paradt__two_halves(a, c), xy_13 = paradt__two_halves(b, d), grade;
+    to[0] = _mm256_sub_pd(_mm256_unpacklo_pd(xy_02, xy_13), point[0]);
+    to[1] = _mm256_sub_pd(_mm256_unpackhi_pd(xy_02, xy_13), point[1]);
+    to[3] = _mm256_fmadd_pd(to[1], to[1], _mm256_mul_pd(to[0], to[0]));
+    if (making == PARADT__MAKE_SHARP) return;
+    grade = _mm256_sub_pd(_mm256_setr_pd(a[2], b[2], c[2], d[2]), point[2]);
+    to[3] = _mm256_sub_pd(making == PARADT__MAKE_GRADED ? _mm256_setzero_pd() : to[3], grade);
+}
+
+// The kernel `make` in the plane
+PARADT__AVX2 PARADT__INLINE void paradt__plane_make_four(paradt__making making, const paradt__insertion *build,
+                                                         paradt__new_cells *star, const double *x,
+                                                         const paradt__centred *centred) {
+    paradt__kept *s = build->kept;
+    const __m256d point[3] = {_mm256_set1_pd(x[0]), _mm256_set1_pd(x[1]),
+                              _mm256_set1_pd(making != PARADT__MAKE_SHARP ? x[2] : 0.0)};
+    const double lift = paradt__base_of(making, 3, *centred, x).lift;
+    const __m256d p[4] = {_mm256_set1_pd(centred->s[0]), _mm256_set1_pd(centred->s[1]), _mm256_setzero_pd(),
+                          _mm256_set1_pd(making == PARADT__MAKE_GRADED ? -lift : lift)};
+    const __m256d next[2] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1])};
+    const paradt__frame frame = s->frame;
+    __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
+    __m128i best = _mm_set1_epi32(star->base[0] / 3);
+    int i, count = star->count;
+    for (i = 0; i < count; i += 4) {
+        const paradt_index seconds[4] = {star->base[i] + 1, star->base[i + 1] + 1, star->base[i + 2] + 1,
+                                         star->base[i + 3] + 1};
+        // first handles are multiples of 3: this is their inverse, modulo 2^32
+        __m128i bases = _mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), is_less;
+        __m128i cells = _mm_mullo_epi32(bases, _mm_set1_epi32((int)0xaaaaaaab));
+        __m256d a[4], b[4], circle[4], error, power, less;
+        paradt__four_plane_edges(making, build, star->base + i, point, a);
+        paradt__four_plane_edges(making, build, seconds, point, b);
+        paradt__four_circles(making, &frame, p, a, b, circle, &error);
+        paradt__four_store(s->table, s->mask, cells, circle, error);
+        power = _mm256_fmadd_pd(circle[0], next[0], _mm256_fmadd_pd(circle[1], next[1], circle[3]));
+        less = _mm256_cmp_pd(power, least, _CMP_LT_OQ);
+        least = _mm256_min_pd(power, least);
+        is_less = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(less)),
+                                                  _mm_castpd_ps(_mm256_extractf128_pd(less, 1)), 0x88));
+        best = _mm_blendv_epi8(best, cells, is_less);
+    }
+    s->start = paradt__four_least(least, best);
+}
+
+PARADT__AVX2 static void paradt__plane_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
+                                                 const double *x, const paradt__centred *centred) {
+    paradt__making making = build->kept->making;
+    if (PARADT__LIKELY(making == PARADT__MAKE_SHARP))
+        paradt__plane_make_four(PARADT__MAKE_SHARP, build, star, x, centred);
+    else if (making == PARADT__MAKE_WEIGHTED) paradt__plane_make_four(PARADT__MAKE_WEIGHTED, build, star, x, centred);
+    else paradt__plane_make_four(PARADT__MAKE_GRADED, build, star, x, centred);
+}
+
+// Inserts the point kept->next in the plane, by these kernels.
+PARADT__AVX2 static paradt_status paradt__plane_insert_avx2(paradt__insertion *build, paradt_index point) {
+    const paradt__kept_kernels kernels = {
+        3, paradt__plane_spread_avx2, paradt__kept_remake_plain, paradt__plane_make_avx2, NULL, NULL};
     return paradt__kept_insert_any(build, point, &kernels);
 }
 #endif
@@ -11680,11 +12298,13 @@ typedef paradt_status (*paradt__inserter)(paradt__insertion *build, paradt_index
 
 // Returns the function that inserts a point.
 static paradt__inserter paradt__choose_inserter(const paradt__insertion *build) {
-    if (PARADT_MAX_DIM < 3 || !build->kept) return paradt__insert;
+    const int plane = build->scene.mesh.corners == 3;
+    if (!build->kept) return paradt__insert;
 #if defined(PARADT__KEPT_AVX2)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__kept_insert_avx2;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return plane ? paradt__plane_insert_avx2 : paradt__kept_insert_avx2;
 #endif
-    return paradt__kept_insert;
+    return plane ? paradt__plane_insert : paradt__kept_insert;
 }
 
 // Inserts the points that are left, in their order, until there are none or the relay says to pause.
@@ -11715,7 +12335,7 @@ static paradt_status paradt__insertion_first(paradt__insertion *build) {
             build, 1, paradt__expected_places(paradt__insertion_first_points(build), mesh->corners - 1));
     if (!status) status = paradt__insertion_first_cells(build);
     build->inserted = (size_t)mesh->corners;
-    if (!status && PARADT__IS(mesh->corners - 1, 3)) status = paradt__kept_begin(build);
+    if (!status && (mesh->corners == 3 || mesh->corners == 4)) status = paradt__kept_begin(build);
     return status;
 }
 
@@ -11732,6 +12352,7 @@ static paradt_status paradt__insert_next(paradt__insertion *build, paradt_index 
     paradt_status status = PARADT_OK;
     if (cell == PARADT__NOWHERE) {
         build->update.killed_count = build->update.made_count = 0;
+        if (build->kept) paradt__kept_look_ahead(build);
     } else if (!build->kept) {
         status = paradt__insert_at(build, point, cell);
     } else {
@@ -11776,6 +12397,29 @@ PARADT__OPTIONAL paradt_status paradt__insertion_more(paradt__insertion *build, 
     status = paradt__insertion_go_on(build, paradt__insertion_point(build, inserted), build->count,
                                      paradt__insertion_start(build));
     return status ? status : paradt__insertion_go(build, progress);
+}
+
+// Prefetches what the insertion of a point in conflict with the cell looks at, up to three facets away. If nothing of
+// it is in a cache, the insertion would otherwise wait for one thing after another.
+PARADT__OPTIONAL void paradt__kept_fetch_around(const paradt__insertion *build, paradt_index cell) {
+    enum { CELLS = 1 + 4 + 12 }; // at distances 0, 1 and 2
+    const paradt__kept *s = build->kept;
+    paradt_index around[CELLS];
+    const size_t corners = (size_t)s->corners;
+    size_t count = 1, i, j;
+    around[0] = cell;
+    for (i = 0; i < count; i++) {
+        const paradt_index *vertices = paradt__mesh_row(&build->scene.mesh, around[i]);
+        const paradt_index *links = build->scene.mesh.links + corners * (size_t)around[i];
+        for (j = 0; j < corners; j++) {
+            paradt_index other = paradt__mesh_cell(&build->scene.mesh, links[j]);
+            paradt__fetch_row(build->scene.mesh.vertices, build->scene.mesh.links, (size_t)other, corners);
+            PARADT__PREFETCH(s->table + ((paradt__tag)other & s->mask));
+            if (vertices[j] >= 0) PARADT__PREFETCH(paradt__scene_record(&build->scene, vertices[j]));
+            PARADT__FETCH(s->number, vertices[j] + 1);
+            if (count < CELLS) around[count++] = other;
+        }
+    }
 }
 
 // Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
@@ -17613,10 +18257,11 @@ PARADT__COLD paradt_status paradt__build_by_flips(paradt__work *work) {
 }
 #endif
 
-// Gives the records sagittas if the points are in space and so close to a sphere that kept spheres are doubtful.
+// Gives the records sagittas if the points are so close to a sphere, or in the plane to a circle, that kept spheres are
+// doubtful.
 static paradt_status paradt__grade_for_insertion(paradt__work *work) {
     enum { WORTHWHILE = 512 }; // points: with fewer, a sphere is not looked for
-    if (work->set.space.dim != 3 || work->set.count < WORTHWHILE) return PARADT_OK;
+    if (work->set.space.dim > 3 || work->set.count < WORTHWHILE) return PARADT_OK;
     return paradt__set_grade(&work->set, PARADT__GRADE_PAYS, &work->meter, &work->memory);
 }
 
@@ -17974,7 +18619,7 @@ static double paradt__flip_nodes(int dim) {
 }
 
 PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const paradt_options *options) {
-    enum { FIXED = 1 << 16, SPHERES = 1 << 20 }; // bytes; of insertion in space, for each region
+    enum { FIXED = 1 << 16, SPHERES = 1 << 20 }; // bytes; of insertion by spheres, for each region
     paradt__work work;
     paradt_points given;
     const char *text;
@@ -17992,7 +18637,7 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
     bytes *= paradt__memory_factor(&work, &given);
     if (work.options.method == PARADT_FLIP)
         bytes += cells * paradt__flip_nodes(given.dim) * (double)sizeof(paradt_index);
-    if (given.dim == 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
+    if (given.dim <= 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
     return bytes < 9e18 ? (uint64_t)bytes + FIXED : UINT64_MAX;
 }
 
@@ -18006,7 +18651,7 @@ static size_t paradt__reading_tasks(size_t regions, size_t count) {
 // Reads the points into the set.
 static paradt_status paradt__load(paradt__work *work, const paradt_points *points, paradt_triangulation *out) {
     double begun = paradt__now();
-    double reading = points->dim == 2 ? 0.2 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
+    double reading = points->dim == 2 ? 0.3 : points->dim == 3 ? 0.1 : 0.01; // of the work, reading and sorting points
     paradt__progress progress = paradt__progress_of(&work->meter, &work->reported, reading);
     paradt__team team = paradt__team_of(&work->options, paradt__reading_tasks(work->regions, points->count), progress);
     paradt_status status;
@@ -20321,7 +20966,7 @@ static unsigned paradt__fine_plain(const paradt__insertion *build, size_t cell) 
 PARADT__AVX2 PARADT__INLINE void paradt__four_vertices(const paradt__insertion *build, const paradt_index *vertices,
                                                        const paradt_index *handles, const __m256d *point, __m256d *to) {
     const double *records = build->scene.records;
-    paradt__four_differences(records + 3 * (size_t)vertices[handles[0]], records + 3 * (size_t)vertices[handles[1]],
+    paradt__four_differences(0, records + 3 * (size_t)vertices[handles[0]], records + 3 * (size_t)vertices[handles[1]],
                              records + 3 * (size_t)vertices[handles[2]], records + 3 * (size_t)vertices[handles[3]],
                              point, to);
 }
@@ -20342,7 +20987,7 @@ PARADT__AVX2 static unsigned paradt__fine_avx2(const paradt__insertion *build, s
     }
     p[3] = paradt__dot_avx2(p, p);
     // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-    paradt__four_spheres(0, &build->kept->frame, p, edge[1], edge[0], edge[2], sphere, &error);
+    paradt__four_spheres(PARADT__MAKE_QUICKLY, &build->kept->frame, p, edge[1], edge[0], edge[2], sphere, &error);
     least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND * 0.5);
     for (i = 0; i < 4; i++) {
         paradt_index apexes[4]; // from the first of a facet's cells; else any vertex
@@ -20688,7 +21333,7 @@ static paradt_status paradt__repair_begin(paradt__repair *r) {
     status = paradt__repair_adopt(r);
     if (status) return status;
     build->count = build->inserted = 8; // few: no more is kept of spheres than what they are made with
-    if (r->t->dim == 3) status = paradt__kept_begin(build);
+    if (r->t->dim == 3 && !r->set.space.weighted) status = paradt__kept_begin(build);
     build->count = build->inserted = r->set.count;
     r->mend.most_flips = 2 * r->t->cell_count + 1000;
     return status ? status
@@ -23828,9 +24473,9 @@ static void paradt__wrap_centre(paradt__filling *f, const double *v) {
 // Makes the sphere of a cell of points.
 static void paradt__wrap_sphere(const paradt__filling *f, const unsigned char *row, paradt__sphere *sphere) {
     const double *p = f->record[row[3]];
-    paradt__spoke a = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[0]]);
-    paradt__spoke b = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[1]]);
-    paradt__spoke c = paradt__spoke_of(PARADT__MAKE_SHARP, p, f->record[row[2]]);
+    paradt__spoke a = paradt__spoke_of(PARADT__MAKE_SHARP, 4, p, f->record[row[0]]);
+    paradt__spoke b = paradt__spoke_of(PARADT__MAKE_SHARP, 4, p, f->record[row[1]]);
+    paradt__spoke c = paradt__spoke_of(PARADT__MAKE_SHARP, 4, p, f->record[row[2]]);
     paradt__centred centred;
     int axis;
     for (axis = 0; axis < 3; axis++) centred.s[axis] = f->x[axis][row[3]];
@@ -25512,7 +26157,7 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
         status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
                                    &d->memory);
     d->build.count = d->now.vertices < KEPT_FOR ? d->now.vertices : (size_t)KEPT_FOR;
-    if (!status && PARADT__IS(d->dim, 3)) status = paradt__kept_begin(&d->build);
+    if (!status && PARADT__IS(d->dim, 3) && !d->weighted) status = paradt__kept_begin(&d->build);
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
     if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers &&
         !paradt__kept_more_numbers(&d->build, d->now.positions + 1))

@@ -1,4 +1,4 @@
-// Insertion: stars of all sizes; in three dimensions also the numbers of their vertices, and the errors of powers.
+// Insertion: stars of all sizes; in two and three dimensions also the numbers of their vertices, and the errors of powers.
 #define PARADT_STATIC // functions that are not called are not compiled
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
@@ -19,14 +19,15 @@ static int stops(void *user, double fraction) {
     return fraction > 0;
 }
 
-// Inserts points in the given order: all of them, or those before the first report of progress.
-static void begin(building *b, const double *x, size_t points, int all) {
-    paradt_points given = paradt_points_f64(x, points, 3);
+// Inserts points in the given order: all of them, or those before the first report of progress. weights: may be NULL
+static void begin_any(building *b, int dim, const double *x, const double *weights, size_t points, int all) {
+    paradt_points given = paradt_points_f64(x, points, dim);
     paradt_options options = {0};
     paradt__meter meter;
     uint32_t told = 0;
     paradt__progress progress;
     size_t bad;
+    given.weights = weights;
     options.progress = all ? NULL : stops;
     paradt__meter_begin(&meter, &options);
     progress = paradt__progress_of(&meter, &told, 1.0);
@@ -42,6 +43,10 @@ static void begin(building *b, const double *x, size_t points, int all) {
     for (size_t i = 0; i < points; i++) b->order[b->set.origin[i]] = (paradt_index)i;
     paradt__insertion_begin(&b->build, &b->set, b->order, &b->memory);
     assert_int_equal(paradt__insertion_run(&b->build, &progress), all ? PARADT_OK : PARADT_ERROR_CANCELLED);
+}
+
+static void begin(building *b, const double *x, size_t points, int all) {
+    begin_any(b, 3, x, NULL, points, all);
 }
 
 static void end(building *b) {
@@ -95,18 +100,18 @@ static void on_sphere(double *p, uint64_t i) {
 
 // Cells that share a facet must link to each other and share the facet's vertices.
 static void check_links(const paradt__insertion *build) {
+    size_t corners = (size_t)build->scene.mesh.corners;
     for (size_t c = 0; c < build->scene.mesh.count; c++) {
-        const paradt_index *vertices = build->scene.mesh.vertices + 4 * c;
+        const paradt_index *vertices = build->scene.mesh.vertices + corners * c;
         if (vertices[0] == PARADT__DEAD) continue;
-        for (size_t i = 0; i < 4; i++) {
-            paradt_index across = build->scene.mesh.links[4 * c + i];
-            const paradt_index *other = build->scene.mesh.vertices + (across & ~3);
-            int shared = 0;
-            assert_int_equal(build->scene.mesh.links[across], 4 * c + i);
-            for (int j = 0; j < 4; j++) {
-                for (size_t k = 0; k < 4 && j != (across & 3); k++) shared += k != i && vertices[k] == other[j];
+        for (size_t i = 0; i < corners; i++) {
+            size_t across = (size_t)build->scene.mesh.links[corners * c + i], opposite = across % corners, shared = 0;
+            const paradt_index *other = build->scene.mesh.vertices + (across - opposite);
+            assert_int_equal(build->scene.mesh.links[across], corners * c + i);
+            for (size_t j = 0; j < corners; j++) {
+                for (size_t k = 0; k < corners && j != opposite; k++) shared += k != i && vertices[k] == other[j];
             }
-            assert_int_equal(shared, 3);
+            assert_int_equal(shared, corners - 1);
         }
     }
 }
@@ -156,19 +161,54 @@ static void the_middle_of_a_sphere_has_a_cell_for_each_facet(void **state) {
     }
 }
 
+// Points that hide all others within their reach have small stars, whose cavities have many vertices inside.
+static void heavy_points_hide_those_around_them(void **state) {
+    static const size_t sizes[] = {40, 130, 600, 1500, 4000, 30000};
+    static double x[3 * MOST_POINTS], weights[MOST_POINTS];
+    (void)state;
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        size_t n = sizes[k], hidden = 0;
+        for (size_t i = 0; i < 3 * n + 3; i++) x[i] = random_coordinate(i);
+        for (size_t i = 0; i <= n; i++) weights[i] = 0;
+        for (size_t j = 0; j < 3; j++) x[3 * n + j] = 0.5;
+        weights[n] = 0.3;
+        for (size_t i = n / 2; i < n; i += n / 10 + 1) weights[i] = 0.01;
+        building b;
+        begin_any(&b, 3, x, weights, n + 1, 1);
+        check_links(&b.build);
+        unsigned char *seen = calloc(n + 1, 1);
+        for (size_t c = 0; c < b.build.scene.mesh.count; c++) {
+            const paradt_index *vertices = b.build.scene.mesh.vertices + 4 * c;
+            for (int i = 0; i < 4 && vertices[0] != PARADT__DEAD; i++)
+                if (vertices[i] >= 0) seen[vertices[i]] = 1;
+        }
+        assert_true(seen[b.order[n]]);
+        for (size_t i = 0; i < n; i++) {
+            double distance2 = 0;
+            for (size_t j = 0; j < 3; j++) distance2 += (x[3 * i + j] - 0.5) * (x[3 * i + j] - 0.5);
+            hidden += !seen[b.order[i]];
+            if (weights[i] == 0 && distance2 < 0.04) assert_false(seen[b.order[i]]);
+        }
+        assert_in_range(hidden, n / 10, n);
+        free(seen);
+        end(&b);
+    }
+}
+
 // --- errors
 
 typedef struct exact_vector {
     mpq_t at[3], square;
 } exact_vector;
 
-// Sets v to `to` - `from`.
-static void exact_begin(exact_vector *v, const double *from, const double *to) {
+// Sets v to `to` - `from`, in the plane with 0 for the third coordinate.
+static void exact_begin(exact_vector *v, const double *from, const double *to, int dim) {
     mpq_t x;
     mpq_init(x);
     mpq_init(v->square);
     for (int j = 0; j < 3; j++) {
         mpq_init(v->at[j]);
+        if (j >= dim) continue;
         mpq_set_d(v->at[j], to[j]);
         mpq_set_d(x, from[j]);
         mpq_sub(v->at[j], v->at[j], x);
@@ -202,14 +242,35 @@ static void exact_add_determinant(mpq_t sum, const mpq_t factor, const exact_vec
     mpq_clear(y);
 }
 
-// Returns the error of `power`: its distance from the exact power of x with regard to the sphere through four points.
-static double error_of_power(double power, const double *const *v, const double *x) {
+// Subtracts the difference of two points' weights.
+static void exact_weigh(exact_vector *v, const double *from, const double *to, int dim) {
+    mpq_t w;
+    mpq_init(w);
+    mpq_set_d(w, to[dim]);
+    mpq_sub(v->square, v->square, w);
+    mpq_set_d(w, from[dim]);
+    mpq_add(v->square, v->square, w);
+    mpq_clear(w);
+}
+
+// Returns the error of `power`: its distance from the exact power of x with regard to the sphere through the points v. In the
+// plane the third edge is a unit vector across it, with the square 0: then the formulas are those of the plane.
+static double error_of_power(double power, const double *const *v, const double *x, const paradt__space *space) {
+    int dim = space->dim;
+    const double *p = v[dim];
     exact_vector a, b, c, f;
     mpq_t one, det, sum, said;
-    exact_begin(&a, v[3], v[0]);
-    exact_begin(&b, v[3], v[1]);
-    exact_begin(&c, v[3], v[2]);
-    exact_begin(&f, v[3], x);
+    exact_begin(&a, p, v[0], dim);
+    exact_begin(&b, p, v[1], dim);
+    exact_begin(&c, p, dim == 3 ? v[2] : p, dim);
+    exact_begin(&f, p, x, dim);
+    if (dim == 2) mpq_set_ui(c.at[2], 1, 1);
+    if (space->weighted) {
+        exact_weigh(&a, p, v[0], dim);
+        exact_weigh(&b, p, v[1], dim);
+        if (dim == 3) exact_weigh(&c, p, v[2], dim);
+        exact_weigh(&f, p, x, dim);
+    }
     mpq_inits(one, det, sum, said, NULL);
     mpq_set_ui(one, 1, 1);
     exact_add_determinant(det, one, &a, &b, &c);
@@ -232,25 +293,26 @@ static double error_of_power(double power, const double *const *v, const double 
 
 // Computed powers are within their error bounds, and few of the bounds are too large to tell a power's sign.
 static void check_powers(const building *b) {
-    enum { EVERY = 23, OTHERS = 4 };
-    size_t asked = 0, vague = 0;
-    for (size_t at = 0; at < b->build.scene.mesh.count; at += EVERY) {
-        const paradt_index *vertices = b->build.scene.mesh.vertices + 4 * at;
+    enum { OTHERS = 4 };
+    size_t asked = 0, vague = 0, corners = (size_t)b->build.scene.mesh.corners;
+    for (size_t at = 0; at < b->build.scene.mesh.count; at += corners == 4 ? 23 : 7) {
+        const paradt_index *vertices = b->build.scene.mesh.vertices + corners * at;
         const double *v[4];
-        if (vertices[0] == PARADT__DEAD || paradt__ghost_place(vertices, 4) >= 0) continue;
-        for (int i = 0; i < 4; i++) v[i] = paradt__scene_record(&b->build.scene, vertices[i]);
-        for (size_t k = 0; k < 4 + OTHERS; k++) { // the apexes of the neighbours, and some other points
+        if (vertices[0] == PARADT__DEAD || paradt__ghost_place(vertices, (int)corners) >= 0) continue;
+        for (size_t i = 0; i < corners; i++) v[i] = paradt__scene_record(&b->build.scene, vertices[i]);
+        for (size_t k = 0; k < corners + OTHERS; k++) { // the apexes of the neighbours, and some other points
+            int is_vertex = 0;
             paradt_index other = (paradt_index)(paradt__mix(at + k) % b->set.count);
-            if (k < 4) other = b->build.scene.mesh.vertices[b->build.scene.mesh.links[4 * at + k]];
+            if (k < corners) other = b->build.scene.mesh.vertices[b->build.scene.mesh.links[corners * at + k]];
             if (other < 0) continue;
             const double *x = paradt__scene_record(&b->build.scene, other);
             paradt__centred seen = paradt__centred_of(b->build.kept, x);
             const paradt__sphere *sphere = paradt__kept_sphere(&b->build, (paradt_index)at);
             double power = paradt__sphere_power(sphere, &seen);
-            assert_true(error_of_power(power, v, x) <= sphere->error);
+            assert_true(error_of_power(power, v, x, &b->build.scene.space) <= sphere->error);
             asked++;
-            vague += other != vertices[0] && other != vertices[1] && other != vertices[2] && other != vertices[3] &&
-                     !(fabs(power) > sphere->error);
+            for (size_t i = 0; i < corners; i++) is_vertex |= other == vertices[i];
+            vague += !is_vertex && !(fabs(power) > sphere->error);
         }
     }
     assert_true(asked > 500);
@@ -270,6 +332,48 @@ static void powers_are_as_exact_as_they_say(void **state) {
             for (size_t i = 0; i <= b.build.kept->mask; i++) b.build.kept->table[i].tag = PARADT__NO_SPHERE;
         }
         check_powers(&b);
+        end(&b);
+    }
+}
+
+// In the plane, where bounds are always sharp
+static void powers_in_the_plane_are_as_exact_as_they_say(void **state) {
+    static double x[2 * POINTS];
+    building b;
+    (void)state;
+    for (int thin = 0; thin < 2; thin++) {
+        for (size_t i = 0; i < 2 * POINTS; i++) x[i] = random_coordinate(i) * (thin && i % 2 ? 0x1p-10 : 1);
+        begin_any(&b, 2, x, NULL, POINTS, 1);
+        assert_int_equal(b.build.kept->making, PARADT__MAKE_SHARP);
+        check_links(&b.build);
+        check_powers(&b);
+        end(&b);
+    }
+}
+
+// With weights of all sizes, positive and negative
+static void powers_with_weights_are_as_exact_as_they_say(void **state) {
+    static const double sizes[] = {1e-300, 1e-9, 0.002, 1.0, 1e9};
+    static double x[3 * POINTS], weights[POINTS];
+    building b;
+    (void)state;
+    for (size_t k = 0; k < 2 * sizeof sizes / sizeof *sizes; k++) {
+        size_t d = k % 2 ? 2 : 3;
+        double size = sizes[k / 2];
+        // large weights are such that all lifted points are in convex position
+        for (size_t i = 0; i < d * POINTS; i++) x[i] = random_coordinate(i);
+        for (size_t i = 0; i < POINTS; i++) {
+            double square = 0;
+            for (size_t j = 0; j < d; j++) square += (x[d * i + j] - 0.3) * (x[d * i + j] - 0.3);
+            weights[i] = size * (size < 1 ? random_coordinate(i + 77) - 0.5 : -square);
+        }
+        begin_any(&b, (int)d, x, weights, POINTS, 1);
+        if (size > 1e-200) { // else they are out of the filters' range
+            assert_int_equal(b.build.kept->making, PARADT__MAKE_WEIGHTED);
+            check_powers(&b);
+        } else {
+            assert_null(b.build.kept);
+        }
         end(&b);
     }
 }
@@ -298,6 +402,58 @@ static void powers_by_sagittas_tell_more(void **state) {
     }
 }
 
+// Near a circle of any place and size
+static void powers_by_sagittas_tell_more_in_the_plane(void **state) {
+    static const double cases[][4] = {{0, 0, 1, 0}, {0, 0, 1, 1e-13}, {3.3, -2.1, 3, 1e-9}, {100, 7, 1, 0}, {1e30, 0, 1e30, 0}};
+    static double x[2 * POINTS];
+    (void)state;
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        for (size_t i = 0; i < POINTS; i++) {
+            double angle = 6.283185307 * random_coordinate(i);
+            double radius = cases[k][2] * (1 + cases[k][3] * random_coordinate(i + POINTS));
+            x[2 * i] = cases[k][0] + radius * cos(angle);
+            x[2 * i + 1] = cases[k][1] + radius * sin(angle);
+        }
+        building b;
+        begin_any(&b, 2, x, NULL, POINTS, 1);
+        assert_int_equal(b.build.kept->making, PARADT__MAKE_GRADED);
+        check_links(&b.build);
+        check_powers(&b);
+        end(&b);
+    }
+}
+
+// Stars and cavities of all sizes in the plane: around the middle of a circle, and then inside that star.
+static void large_stars_in_the_plane_are_whole(void **state) {
+    static const size_t sizes[] = {10, 59, 62, 65, 300, 2047, 2048, 2049, 5000};
+    static double x[2 * MOST_POINTS];
+    (void)state;
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        size_t n = sizes[k], points = n + 1 + n / 2, at_middle = 0;
+        for (size_t i = 0; i < n; i++) {
+            double angle = 6.283185307 * ((double)i + 0.3 * random_coordinate(i)) / (double)n;
+            x[2 * i] = cos(angle);
+            x[2 * i + 1] = sin(angle);
+        }
+        for (size_t i = n; i < points; i++) {
+            x[2 * i] = i > n ? random_coordinate(2 * i) - 0.5 : 0;
+            x[2 * i + 1] = i > n ? random_coordinate(2 * i + 1) - 0.5 : 0;
+        }
+        building b;
+        begin_any(&b, 2, x, NULL, n + 1, 1);
+        check_links(&b.build);
+        for (size_t c = 0; c < b.build.scene.mesh.count; c++) {
+            const paradt_index *vertices = b.build.scene.mesh.vertices + 3 * c;
+            for (int i = 0; i < 3 && vertices[0] != PARADT__DEAD; i++) at_middle += vertices[i] == b.order[n];
+        }
+        assert_in_range(at_middle, n - n / 8, n); // rounded points may be inside of the hull
+        end(&b);
+        begin_any(&b, 2, x, NULL, points, 1);
+        check_links(&b.build);
+        end(&b);
+    }
+}
+
 // Points near a plane, far from the origin or not, are not taken for points near a large sphere.
 static void near_a_plane_there_are_no_sagittas(void **state) {
     static double x[3 * POINTS];
@@ -317,8 +473,13 @@ int main(void) {
         cmocka_unit_test(numbers_of_vertices_begin_again),
         cmocka_unit_test(stars_after_a_very_large_one_are_whole),
         cmocka_unit_test(the_middle_of_a_sphere_has_a_cell_for_each_facet),
+        cmocka_unit_test(heavy_points_hide_those_around_them),
         cmocka_unit_test(powers_are_as_exact_as_they_say),
+        cmocka_unit_test(powers_with_weights_are_as_exact_as_they_say),
+        cmocka_unit_test(powers_in_the_plane_are_as_exact_as_they_say),
         cmocka_unit_test(powers_by_sagittas_tell_more),
+        cmocka_unit_test(powers_by_sagittas_tell_more_in_the_plane),
+        cmocka_unit_test(large_stars_in_the_plane_are_whole),
         cmocka_unit_test(near_a_plane_there_are_no_sagittas),
     };
     return cmocka_run_group_tests_name("insertion", tests, NULL, NULL);
