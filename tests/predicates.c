@@ -1089,8 +1089,8 @@ static sphere plain_sphere(const sample *s, int sharp) {
     const paradt__centred at = {{p[0], p[1], p[2]}, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]};
     const paradt__making making = sharp ? PARADT__MAKE_SHARP : PARADT__MAKE_QUICKLY;
     sphere made;
-    const paradt__spoke to_a = paradt__spoke_of(making, p, a), to_b = paradt__spoke_of(making, p, b);
-    const paradt__spoke to_c = paradt__spoke_of(making, p, c);
+    const paradt__spoke to_a = paradt__spoke_of(making, 4, p, a), to_b = paradt__spoke_of(making, 4, p, b);
+    const paradt__spoke to_c = paradt__spoke_of(making, 4, p, c);
     paradt__sphere_make(making, &unit_cube, &at, to_a.edge, to_b.edge, to_c.edge, made.normal, &made.constant,
                          &made.error);
     return made;

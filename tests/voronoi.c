@@ -872,14 +872,14 @@ static void many_cells_fill_the_box(void **state) {
                 }
                 clip k = {"the box", box, NULL, 0};
                 sample few = sample_pick(&s, order, count);
-                true_cell cell = cell_of(&few, &k, 0, 100);
+                true_cell exact = cell_of(&few, &k, 0, 100);
                 int all[256], apexes[CELLS_MAX_DIM + 1];
                 mpq_t volume, error;
                 mpq_inits(volume, error, NULL);
-                assert_true(cell.vertex_count <= 256);
-                for (int j = 0; j < cell.vertex_count; j++)
+                assert_true(exact.vertex_count <= 256);
+                for (int j = 0; j < exact.vertex_count; j++)
                     all[j] = j;
-                add_simplices(&cell, all, cell.vertex_count, dim, apexes, volume, NULL);
+                add_simplices(&exact, all, exact.vertex_count, dim, apexes, volume, NULL);
                 mpq_set_si(error, dim == 2 ? 2 : 6, 1);
                 mpq_div(volume, volume, error);
                 mpq_set_d(error, v.volumes[p]);
@@ -889,7 +889,7 @@ static void many_cells_fill_the_box(void **state) {
                 if (mpq_cmp(volume, error) > 0)
                     fail_on_sample(&s, "a volume's error is larger than it says");
                 mpq_clears(volume, error, NULL);
-                cell_free(&cell);
+                cell_free(&exact);
                 sample_free(&few);
             }
             paradt_voronoi_free(&v);
