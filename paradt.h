@@ -1605,7 +1605,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     regions of insertion         619   the steps of a divided insertion
 //   entry
 //     methods                      331   one row a method; AUTO's choice
-//     triangulate                  387   the entry
+//     triangulate                  390   the entry
 //   use
 //     minors                        67   determinants with bounds, in floating point
 //     hull points                  470   those that a hull has to look at
@@ -18605,7 +18605,7 @@ static double paradt__memory_factor(const paradt__work *work, const paradt_point
         return several ? points->dim < 5 ? 2.8 : 4.2 : points->dim < 5 ? 1.45 : 2.0;
     }
     if (points->dim > 3) return several ? 5.0 : 2.0;
-    if (points->dim == 2) return several ? work->one_by_one ? 1.4 : 2.0 : 1.6;
+    if (points->dim == 2) return several ? work->one_by_one ? 1.5 : 1.8 : 1.6;
     if (!several) return 1.45;
     if (work->one_by_one) return 1.2;
     return 1.5 + 12000.0 / (each + 3000.0);
@@ -18637,7 +18637,10 @@ PARADT_DEF uint64_t paradt_memory_estimate(const paradt_points *points, const pa
     bytes *= paradt__memory_factor(&work, &given);
     if (work.options.method == PARADT_FLIP)
         bytes += cells * paradt__flip_nodes(given.dim) * (double)sizeof(paradt_index);
-    if (given.dim <= 3) bytes += (double)SPHERES * (0.7 + 0.5 * (double)work.regions);
+    if (given.dim <= 3) {
+        double each = given.dim == 2 && !work.one_by_one ? 1.35 : 0.5; // all at once have a table each
+        bytes += (double)SPHERES * (0.7 + (work.regions > 1 ? each : 0.5) * (double)work.regions);
+    }
     return bytes < 9e18 ? (uint64_t)bytes + FIXED : UINT64_MAX;
 }
 
