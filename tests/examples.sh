@@ -29,7 +29,7 @@ between() { # low, high, sed expression that takes a number from the file out
 
 ran cube && [ "$(wc -l <out)" -eq 6 ]
 report $? cube_has_six_tetrahedra
-ran square && grep -q '^triangle 3: 4 2 3   neighbours: -1 0 2$' out && [ "$(wc -l <out)" -eq 4 ]
+ran square && grep -q '^triangle 3: 3 4 2   neighbours: 2 -1 0$' out && [ "$(wc -l <out)" -eq 4 ]
 report $? square_has_four_triangles_with_neighbours
 ran dynamic && grep -q '^201 points, ' out && drawn dynamic 350 && [ "$(grep -c '#e65' dynamic.svg)" -ge 3 ]
 report $? dynamic_inserts_removes_and_moves
