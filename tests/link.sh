@@ -228,7 +228,7 @@ int main(int argc, char **argv) {
     return !good;
 }
 END
-. tests/mpich.sh
+. tests/programs/mpich.sh
 if has mpicc && has mpiexec; then
     mpicc -I. "$work/ranks.c" -o "$work/ranks" -lm >"$work/log" 2>&1 &&
         timeout 120 mpiexec -n 2 "$work/ranks" >>"$work/log" 2>&1 </dev/null

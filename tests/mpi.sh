@@ -5,7 +5,7 @@
 work=$PWD/build/tests/mpi
 rm -rf "$work"
 mkdir -p "$work"
-. tests/mpich.sh
+. tests/programs/mpich.sh
 for program in mpicc mpicxx mpiexec; do
     command -v $program >/dev/null 2>&1 && continue
     echo "ok 1 - mpi # SKIP needs mpich libmpich-dev"

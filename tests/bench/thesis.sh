@@ -17,7 +17,7 @@ RUNS=${THESIS_RUNS:-3}
 SIZES="1000 2000 4000 8000"
 work=build/bench
 mkdir -p "$work" || exit 1
-. tests/mpich.sh
+. tests/programs/mpich.sh
 [ -x build/paradt_mpi ] || { echo "thesis.sh: build/paradt_mpi is missing: make builds it where mpicc is found" >&2; exit 1; }
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 processors=$(getconf _NPROCESSORS_ONLN)

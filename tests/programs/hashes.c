@@ -7,6 +7,9 @@
 //   single, double   the precision of x87 registers
 #ifndef HASHES_LINKED // else the implementation is in another object
 #define PARADT_IMPLEMENTATION
+#define PARADT_NO_LOCATOR // not called here, and compiled with many sets of flags
+#define PARADT_NO_DYNAMIC
+#define PARADT_NO_VORONOI
 #endif
 #include "paradt.h"
 
