@@ -1537,7 +1537,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   ground
 //     memory                       189   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        185   progress, teams, pauses, the clock
+//     tasks                        190   progress, teams, pauses, the clock
 //   predicates
 //     space                        287   what the predicates know of a set
 //     filters                      200   signs in floating point, with error bounds
@@ -1604,7 +1604,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     parallel dewall              495   DeWall by tasks
 //     regions of insertion         619   the steps of a divided insertion
 //   entry
-//     methods                      331   one row a method; AUTO's choice
+//     methods                      330   one row a method; AUTO's choice
 //     triangulate                  390   the entry
 //   use
 //     minors                        67   determinants with bounds, in floating point
@@ -2194,8 +2194,8 @@ static double paradt__widen(uint32_t bits) {
 //
 // What runs on several threads: progress and cancelling, teams of tasks, giving up, and pauses of insertions that work
 // together; and the clock. Doors: paradt__progress_cancels, paradt__progress_of, paradt__meter_begin,
-// paradt__meter_done, paradt__meter_cancels, paradt__progress_of_task, paradt__team_of, paradt__team_run,
-// paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP, paradt__relay_pauses,
+// paradt__meter_done, paradt__meter_cancels, paradt__progress_of_task, paradt__team_of, paradt__few_of,
+// paradt__team_run, paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP, paradt__relay_pauses,
 // paradt__relay_waits, paradt__now.
 
 // --- progress
@@ -2288,7 +2288,7 @@ typedef struct paradt__team {
     paradt__progress progress; // of what they do together
 } paradt__team;
 
-enum { PARADT__MOST_TASKS = 4 }; // of hulls
+enum { PARADT__MOST_TASKS = 4 }; // of hulls, queries and Voronoi diagrams
 
 // A team of so many tasks; of one without a parallel_for
 static paradt__team paradt__team_of(const paradt_options *options, size_t tasks, paradt__progress progress) {
@@ -2298,6 +2298,11 @@ static paradt__team paradt__team_of(const paradt_options *options, size_t tasks,
     team.tasks = options->parallel_for ? tasks : 1;
     team.progress = progress;
     return team;
+}
+
+// The same where what a task keeps stands in an array of MOST_TASKS
+PARADT__OPTIONAL paradt__team paradt__few_of(const paradt_options *options, size_t tasks, paradt__progress progress) {
+    return paradt__team_of(options, tasks < PARADT__MOST_TASKS ? tasks : (size_t)PARADT__MOST_TASKS, progress);
 }
 
 static const paradt__team paradt__alone = {NULL, NULL, 1, {NULL, NULL, 0.0}};
@@ -18308,8 +18313,7 @@ PARADT__COLD paradt_status paradt__build_lifted_hull(paradt__work *work) {
     paradt_status status;
     size_t tasks = work->options.regions ? work->options.regions : 1;
     paradt__begin_way(work);
-    team = paradt__team_of(&work->options, tasks < PARADT__MOST_TASKS ? tasks : (size_t)PARADT__MOST_TASKS,
-                           paradt__whole_progress(work));
+    team = paradt__few_of(&work->options, tasks, paradt__whole_progress(work));
     memset(&counters, 0, sizeof counters);
     work->regions = 1;
     status = paradt__lifted_hull(&work->set, (work->options.flags & PARADT_FURTHEST_SITE) != 0, &team, &work->memory,
@@ -19727,8 +19731,8 @@ enum { PARADT__HULL_READS, PARADT__HULL_SORTS, PARADT__HULL_BUILDS, PARADT__HULL
 
 static paradt__team paradt__hull_team(paradt__hull_work *work, int step) {
     static const double shares[] = {0.3, 0.05, 0.5, 0.15};
-    return paradt__team_of(&work->options, work->tasks,
-                           paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
+    return paradt__few_of(&work->options, work->tasks,
+                          paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
 }
 
 // Reads the points, and copies those that the hull may depend on.
@@ -23972,7 +23976,7 @@ static paradt_status paradt__ask_sorted(paradt__asking *asking, const paradt_poi
     paradt_status status;
     size_t i;
     paradt__meter_begin(&meter, options);
-    team = paradt__team_of(options, PARADT__MOST_TASKS, paradt__progress_of(&meter, &sorted, 0.3));
+    team = paradt__few_of(options, PARADT__MOST_TASKS, paradt__progress_of(&meter, &sorted, 0.3));
     asking->team = &team;
     asking->representative = (paradt_index *)paradt__alloc(memory, queries->count, sizeof *asking->representative);
     if (!asking->representative) return PARADT_ERROR_MEMORY;
@@ -25681,7 +25685,7 @@ static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index pos
     for (at = 0; at < build->update.killed_count && !status; at++) {
         paradt_index place = paradt__mesh_cell(mesh, build->update.killed[at]), hidden;
         finite += (size_t)paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners);
-        hidden = d->weighted ? paradt__living_get(d, PARADT__HUNG, place) : PARADT__OPEN;
+        hidden = d->weighted ? paradt__living_get(d, PARADT__HUNG, place) : (paradt_index)PARADT__OPEN;
         for (; hidden >= 0 && !status; hidden = paradt__living_get(d, PARADT__NEXT_HIDDEN, hidden))
             status = paradt__list_append(&f->points, hidden, &d->memory);
     }
@@ -26172,7 +26176,7 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
 // Gives the vertices of a mesh that was delivered their positions again.
 static paradt_status paradt__living_take_back(paradt__work *work, paradt__memory *memory) {
     paradt__mesh *mesh = &work->mesh;
-    size_t corners = (size_t)mesh->corners, i, indices = work->stats->duplicates + work->set.count;
+    size_t corners = (size_t)mesh->corners, i, indices = (size_t)work->stats->duplicates + work->set.count;
     paradt_index *position = (paradt_index *)paradt__alloc(memory, indices, sizeof *position);
     if (!position) return PARADT_ERROR_MEMORY;
     for (i = 0; i < work->set.count; i++) position[work->set.origin[i]] = (paradt_index)i;
@@ -29532,8 +29536,8 @@ enum { PARADT__VORONOI_CENTRES, PARADT__VORONOI_FACES, PARADT__VORONOI_CLIPS, PA
 
 static paradt__team paradt__voronoi_team(paradt__voronoi_work *work, int step) {
     static const double shares[] = {0.2, 0.4, 0.3, 0.1};
-    return paradt__team_of(&work->options, work->tasks,
-                           paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
+    return paradt__few_of(&work->options, work->tasks,
+                          paradt__progress_of(&work->meter, &work->reported[step], shares[step]));
 }
 
 // The caller's index of a position

@@ -142,7 +142,7 @@ static cell_set facets_of_hull(const sample *s, size_t tasks, paradt_parallel_fo
     options.parallel_for = runner;
     paradt__memory_begin(&memory, &options);
     paradt__meter_begin(&meter, &options);
-    paradt__team team = paradt__team_of(&options, tasks, paradt__progress_of(&meter, &reported, 1.0));
+    paradt__team team = paradt__few_of(&options, tasks, paradt__progress_of(&meter, &reported, 1.0));
     assert_int_equal(paradt__set_load(&set, &points, &cuts, &team, &memory, representative, &bad), PARADT_OK);
     if (set.space.dim > 0) {
         int k = set.space.dim, vertices[CELLS_MAX_DIM + 1];
