@@ -1033,7 +1033,8 @@ PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t coun
 // With PARADT_FURTHEST_SITE the cells are those whose sphere has all points inside or on it, ties broken by the same
 // rule: a cell is there when paradt_insphere_perturbed says for every other point that it is in conflict. They are the
 // upper side of the lifted points, and triangulate the convex hull; their vertices are on the hull, and all other
-// points are hidden. The method is PARADT_AUTO or PARADT_LIFTED_HULL; paradt_check can't certify them.
+// points are hidden. Of points at one place the one of the largest weight counts here, too: others are not asked. The
+// method is PARADT_AUTO or PARADT_LIFTED_HULL; paradt_check can't certify them.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
