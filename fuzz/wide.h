@@ -56,6 +56,21 @@ static inline void wide_of(wide *a, double x, int scale) {
     wide_trim(a);
 }
 
+static inline void wide_small(wide *a, uint32_t value) {
+    a->sign = a->count = value != 0;
+    a->word[0] = value;
+}
+
+// Sets a to 2^exponent.
+static inline void wide_power(wide *a, int exponent) {
+    if (exponent < 0 || exponent / 32 >= WIDE_WORDS)
+        abort();
+    memset(a->word, 0, (size_t)(exponent / 32) * sizeof *a->word);
+    a->word[exponent / 32] = (uint32_t)1 << exponent % 32;
+    a->count = exponent / 32 + 1;
+    a->sign = 1;
+}
+
 static inline int wide_compare_sizes(const wide *a, const wide *b) {
     int i;
     if (a->count != b->count)
@@ -132,8 +147,7 @@ static inline void wide_multiply(wide *out, const wide *a, const wide *b) {
 static inline void wide_determinant(wide *out, wide (*rows)[WIDE_COLUMNS], int n) {
     static wide minors[1 << WIDE_COLUMNS], product;
     unsigned set;
-    minors[0].sign = minors[0].count = 1;
-    minors[0].word[0] = 1;
+    wide_small(&minors[0], 1);
     for (set = 1; set < 1u << n; set++) {
         int row = -1, sign = 1, c;
         for (c = 0; c < n; c++)
