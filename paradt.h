@@ -18879,22 +18879,35 @@ PARADT__INLINE void paradt__minors_of(paradt__minors_table *table, int rows, int
     }
 }
 
-// Returns the measure of the parallelotope of the first k rows, k >= 1. *error: a bound of its error
-PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, int k, int columns, double *error) {
-    double squares = 0, sizes = 0;
+// Returns the sum of the squares of the k-minors, each times `unit` before, and the sum of their sizes.
+PARADT__INLINE double paradt__minors_squares(const paradt__minors_table *table, int k, int columns, double unit,
+                                             double *sizes, int *terms) {
+    double squares = 0;
     unsigned mask, rest;
-    int terms = 0;
-    for (mask = 1; mask < 1u << columns; mask++) {
+    for (mask = 1, *sizes = *terms = 0; mask < 1u << columns; mask++) {
         int count = 0;
         for (rest = mask; rest; rest &= rest - 1) count++;
         if (count != k) continue;
-        squares += table->minor[mask] * table->minor[mask];
-        sizes += table->size[mask];
-        terms++;
+        squares += (table->minor[mask] * unit) * (table->minor[mask] * unit);
+        *sizes += table->size[mask];
+        ++*terms;
+    }
+    return squares;
+}
+
+// Returns the measure of the parallelotope of the first k rows, k >= 1. *error: a bound of its error, but for what is
+// below 2^-1000. Where all minors are small they are squared in another unit, so that no square is lost that matters.
+PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, int k, int columns, double *error) {
+    double sizes, unit = 1, squares;
+    int terms;
+    squares = paradt__minors_squares(table, k, columns, unit, &sizes, &terms);
+    if (squares < paradt__power(-800)) {
+        unit = paradt__power(500);
+        squares = paradt__minors_squares(table, k, columns, unit, &sizes, &terms);
     }
     // the norm of the minors changes by no more than the sum of their errors; squares, sum and root err by less than
     // terms + 3 roundoffs
-    squares = sqrt(squares);
+    squares = sqrt(squares) / unit;
     *error = paradt__minors_factor(k) * sizes + PARADT__ROUNDOFF * (terms + 4) * squares;
     return squares;
 }
