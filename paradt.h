@@ -1261,8 +1261,8 @@ PARADT_DEF paradt_status paradt_dynamic_move_points(paradt_dynamic *d, const par
 // Fills what the set is now. Thread-safe on a set that does not change.
 PARADT_DEF void paradt_dynamic_get_info(const paradt_dynamic *d, paradt_dynamic_info *info);
 
-// Fills which cells the last change killed and made. A batch is one change. A cell is not among them when only the id of
-// a vertex is another, since another point at its place stands for it now: one that was there, or has come to it.
+// Fills which cells the last change killed and made. A batch is one change. A cell is not among them when only the id
+// of a vertex is another, since another point at its place stands for it now: one that was there, or has come to it.
 PARADT_DEF void paradt_dynamic_get_update(const paradt_dynamic *d, paradt_dynamic_update *update);
 
 // Fills the vertices and neighbours of a cell. Returns 1, or 0 if the number is of no cell.
@@ -6892,8 +6892,8 @@ PARADT__INLINE void paradt__sides_in_plane(const paradt__scene *scene, const par
 }
 
 // The facet of a cell that a walk crosses to get to x; -1: x is in the cell, and *inside has a bit for each vertex with
-// x strictly on its side of the facet opposite. from: the facet it came through, which x is strictly inside of; -1: none.
-// In the plane and in space it is the facet that has x farthest beyond it, as a part of the cell's height.
+// x strictly on its side of the facet opposite. from: the facet it came through, which x is strictly inside of; -1:
+// none. In the plane and in space it is the facet that has x farthest beyond it, as a part of the cell's height.
 PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell, const double *x, int from,
                                          unsigned *inside, int corners) {
     const paradt_index *row = scene->mesh.vertices + (size_t)cell * (size_t)corners;
@@ -18841,7 +18841,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 // only have to be right within a known error, and for measures. All minors of the first rows come together, by
 // expansion along the last row, smaller before larger. The measure of the parallelotope of m vectors is the root of the
 // sum of the squares of their m-minors (Cauchy and Binet), which has no cancellation, in whatever dimension the vectors
-// are. Doors: paradt__minors_of, paradt__minors_factor, paradt__minors_measure.
+// are. Doors: paradt__minors_of, paradt__minors_factor, paradt__minors_measure, paradt__length_in_unit.
 
 enum { PARADT__MINORS = 1 << PARADT_MAX_DIM }; // sets of columns
 
@@ -18877,6 +18877,18 @@ PARADT__INLINE void paradt__minors_of(paradt__minors_table *table, int rows, int
         table->minor[mask] = sum;
         table->size[mask] = size;
     }
+}
+
+// Returns the length of a vector in a unit in which no square is lost that matters. *unit: what to multiply by: 1, or
+// more for a short vector
+PARADT__INLINE double paradt__length_in_unit(const double *a, int d, double *unit) {
+    double square = 0;
+    int j;
+    for (j = 0, *unit = 1; j < d; j++) square += a[j] * a[j];
+    if (square >= paradt__power(-800)) return sqrt(square);
+    *unit = paradt__power(500);
+    for (j = 0, square = 0; j < d; j++) square += (a[j] * *unit) * (a[j] * *unit);
+    return sqrt(square);
 }
 
 // Returns the sum of the squares of the k-minors, each times `unit` before, and the sum of their sizes.
@@ -27644,15 +27656,18 @@ typedef struct paradt__facing {
 
 // Appends a face between two points, for which there is room. measure: of the face, times |a|
 PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index p, paradt_index q, double measure,
-                                          const double *a, double length, const double *centroid, int d) {
+                                          const double *a, const double *centroid, int d) {
     size_t at = list->count++;
+    double unit, length;
     int j;
     list->sides[2 * at] = p;
     list->sides[2 * at + 1] = q;
-    if (list->wants & PARADT_VORONOI_AREAS) list->areas[at] = measure / length;
+    if (!(list->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS))) return;
+    length = paradt__length_in_unit(a, d, &unit);
+    if (list->wants & PARADT_VORONOI_AREAS) list->areas[at] = measure * unit / length;
     if (!(list->wants & PARADT_VORONOI_NORMALS)) return;
     for (j = 0; j < d; j++) {
-        list->normals[at * (size_t)d + (size_t)j] = a[j] / length;
+        list->normals[at * (size_t)d + (size_t)j] = a[j] * unit / length;
         list->centroids[at * (size_t)d + (size_t)j] = centroid[j];
     }
 }
@@ -27714,11 +27729,7 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
         list->cell[list->count] = cell;
         list->edge[list->count] = (unsigned char)edge;
     }
-    paradt__face_list_add(list, p, q, measure, normal,
-                          list->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)
-                              ? sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
-                              : 1,
-                          where, 3);
+    paradt__face_list_add(list, p, q, measure, normal, where, 3);
     return PARADT_OK;
 }
 
@@ -27808,8 +27819,7 @@ PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, para
                 list->cell[list->count] = (paradt_index)cell;
                 list->edge[list->count] = (unsigned char)i;
             }
-            paradt__face_list_add(list, p, q, measure, normal, sqrt(normal[0] * normal[0] + normal[1] * normal[1]),
-                                  where, 2);
+            paradt__face_list_add(list, p, q, measure, normal, where, 2);
         }
     }
     return PARADT_OK;
@@ -28836,13 +28846,13 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
     const paradt__halfspace *h = c->planes + plane;
     paradt_index entry = c->entry[plane], at = entry;
     const double *first = paradt__convex_place(c, (size_t)(entry / d));
-    double a[3] = {0}, b[3] = {0}, o[3] = {0}, area[3] = {0}, sum[3] = {0}, along = 0, square = 0, size = 0, error = 0;
-    double arm = 0, step, parts;
+    double a[3] = {0}, b[3] = {0}, o[3] = {0}, n[3] = {0}, area[3] = {0}, sum[3] = {0}, along = 0, size = 0, error = 0;
+    double arm = 0, step, parts, unit, length = paradt__length_in_unit(h->normal, d, &unit);
     int j, corners = 0, distant = 0;
     for (j = 0; j < d; j++) {
         o[j] = first[j] - apex[j];
+        n[j] = h->normal[j] * unit;
         arm = paradt__larger(arm, paradt__abs(o[j]));
-        square += h->normal[j] * h->normal[j];
         face->moment[j] = 0;
     }
     face->cone = face->error = 0;
@@ -28857,12 +28867,12 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
         error = paradt__larger(error, place[d]);
         if (d == 2) {
             cone = o[0] * b[1] - o[1] * b[0];
-            part = h->normal[0] * b[1] - h->normal[1] * b[0];
+            part = n[0] * b[1] - n[1] * b[0];
         } else {
             cross[0] = a[1] * b[2] - a[2] * b[1];
             cross[1] = a[2] * b[0] - a[0] * b[2];
             cross[2] = a[0] * b[1] - a[1] * b[0];
-            part = cross[0] * h->normal[0] + cross[1] * h->normal[1] + cross[2] * h->normal[2];
+            part = cross[0] * n[0] + cross[1] * n[1] + cross[2] * n[2];
             cone = cross[0] * o[0] + cross[1] * o[1] + cross[2] * o[2];
         }
         face->cone += cone;
@@ -28887,7 +28897,7 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
         double turn = parts * (4 * size * step + 2 * step * step + (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
         face->error = 3 * (arm + 2 * error) * turn + 6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
     }
-    face->measure = distant ? HUGE_VAL : paradt__abs(along) / (d == 2 ? sqrt(square) : 2 * sqrt(square));
+    face->measure = distant ? HUGE_VAL : paradt__abs(along) / (d == 2 ? length : 2 * length);
     for (j = 0; j < d; j++) {
         double fan = along > 0 || along < 0 ? sum[j] / ((d == 2 ? 2 : 3) * along) : 0;
         face->centroid[j] = distant ? NAN : first[j] + fan;
@@ -29319,12 +29329,11 @@ static paradt_status paradt__clip_list(paradt__clipper *clipper) {
         list->sides[2 * at + 1] = h->side;
         if (clipping->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)) {
             paradt__convex_face face;
-            double square = 0;
+            double unit, length = paradt__length_in_unit(h->normal, (int)d, &unit);
             paradt__convex_measure_face(c, (paradt_index)plane, origin, &face);
             if (clipping->wants & PARADT_VORONOI_AREAS) list->areas[at] = face.measure;
-            for (j = 0; j < d; j++) square += h->normal[j] * h->normal[j];
             for (j = 0; j < d && clipping->wants & PARADT_VORONOI_NORMALS; j++) {
-                list->normals[(size_t)at * d + j] = h->normal[j] / sqrt(square);
+                list->normals[(size_t)at * d + j] = h->normal[j] * unit / length;
                 list->centroids[(size_t)at * d + j] = base[j] + face.centroid[j];
             }
         }
