@@ -988,7 +988,8 @@ typedef struct paradt_voronoi {
     paradt_index *sides;        // [face_count][2] the points on its two sides; the second may be -1 - k: wall k
     double *areas;              // [face_count] measure of dimension dim - 1; infinite: unbounded
     double *face_centroids;     // [face_count][dim] NaN where the area is infinite or 0
-    double *normals;            // [face_count][dim] of length 1, from the first side to the second
+    double *normals;            // [face_count][dim] of length 1, from the first side to the second; NaN where the two
+                                // points differ by less than 2^-1022 of the largest coordinate there is
     size_t *first_face;         // [cell_count + 1] where the faces of each cell begin in `faces`
     paradt_index *faces;        // [first_face[cell_count]] numbers of faces
     size_t vertex_count;        // number of vertices
@@ -18883,11 +18884,12 @@ PARADT__INLINE void paradt__minors_of(paradt__minors_table *table, int rows, int
 // more for a short vector
 PARADT__INLINE double paradt__length_in_unit(const double *a, int d, double *unit) {
     double square = 0;
-    int j;
+    int j, exponent;
     for (j = 0, *unit = 1; j < d; j++) square += a[j] * a[j];
-    if (square >= paradt__power(-800)) return sqrt(square);
-    *unit = paradt__power(500);
-    for (j = 0, square = 0; j < d; j++) square += (a[j] * *unit) * (a[j] * *unit);
+    for (exponent = 500; exponent <= 1000 && square < paradt__power(-800); exponent += 500) {
+        *unit = paradt__power(exponent);
+        for (j = 0, square = 0; j < d; j++) square += (a[j] * *unit) * (a[j] * *unit);
+    }
     return sqrt(square);
 }
 
@@ -27654,9 +27656,11 @@ typedef struct paradt__facing {
     paradt_status status[PARADT__MOST_TASKS];
 } paradt__facing;
 
-// Appends a face between two points, for which there is room. measure: of the face, times |a|
+// Appends a face between two points, for which there is room. measure: of the face, times |a|. area: a vector whose
+// length is `times` the measure, for points so near that their difference a is lost
 PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index p, paradt_index q, double measure,
-                                          const double *a, const double *centroid, int d) {
+                                          const double *a, const double *area, double times, const double *centroid,
+                                          int d) {
     size_t at = list->count++;
     double unit, length;
     int j;
@@ -27665,6 +27669,8 @@ PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index 
     if (!(list->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS))) return;
     length = paradt__length_in_unit(a, d, &unit);
     if (list->wants & PARADT_VORONOI_AREAS) list->areas[at] = measure * unit / length;
+    if (list->wants & PARADT_VORONOI_AREAS && !(length > 0))
+        list->areas[at] = paradt__length_in_unit(area, d, &unit) / (unit * times);
     if (!(list->wants & PARADT_VORONOI_NORMALS)) return;
     for (j = 0; j < d; j++) {
         list->normals[at * (size_t)d + (size_t)j] = a[j] * unit / length;
@@ -27729,7 +27735,7 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
         list->cell[list->count] = cell;
         list->edge[list->count] = (unsigned char)edge;
     }
-    paradt__face_list_add(list, p, q, measure, normal, where, 3);
+    paradt__face_list_add(list, p, q, measure, normal, ring.area, 2, where, 3);
     return PARADT_OK;
 }
 
@@ -27819,7 +27825,7 @@ PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, para
                 list->cell[list->count] = (paradt_index)cell;
                 list->edge[list->count] = (unsigned char)i;
             }
-            paradt__face_list_add(list, p, q, measure, normal, where, 2);
+            paradt__face_list_add(list, p, q, measure, normal, along, 1, where, 2);
         }
     }
     return PARADT_OK;
@@ -28846,7 +28852,8 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
     const paradt__halfspace *h = c->planes + plane;
     paradt_index entry = c->entry[plane], at = entry;
     const double *first = paradt__convex_place(c, (size_t)(entry / d));
-    double a[3] = {0}, b[3] = {0}, o[3] = {0}, n[3] = {0}, area[3] = {0}, sum[3] = {0}, along = 0, size = 0, error = 0;
+    double a[3] = {0}, b[3] = {0}, o[3] = {0}, n[3] = {0}, area[3] = {0}, sum[3] = {0}, reach[3] = {0};
+    double along = 0, size = 0, error = 0;
     double arm = 0, step, parts, unit, length = paradt__length_in_unit(h->normal, d, &unit);
     int j, corners = 0, distant = 0;
     for (j = 0; j < d; j++) {
@@ -28863,6 +28870,7 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
         for (j = 0; j < d; j++) {
             b[j] = place[j] - first[j];
             size = paradt__larger(size, paradt__abs(b[j]));
+            reach[j] = corners == 1 ? b[j] : reach[j]; // of the second vertex
         }
         error = paradt__larger(error, place[d]);
         if (d == 2) {
@@ -28897,6 +28905,8 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
         double turn = parts * (4 * size * step + 2 * step * step + (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
         face->error = 3 * (arm + 2 * error) * turn + 6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
     }
+    if (!(length > 0))
+        along = paradt__length_in_unit(d == 2 ? reach : area, d, &length); // the normal is lost: too short
     face->measure = distant ? HUGE_VAL : paradt__abs(along) / (d == 2 ? length : 2 * length);
     for (j = 0; j < d; j++) {
         double fan = along > 0 || along < 0 ? sum[j] / ((d == 2 ? 2 : 3) * along) : 0;
