@@ -26270,6 +26270,7 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     d->build.scene.mesh = work.mesh;
     if (!status) status = paradt__living_adopt(d, &work, points, ids, id_count);
     if (!status) status = paradt__living_number(d, out.representative, points->count, ids, id_count);
+    d->meter.done = PARADT__ALL_DONE; // what is left takes a small part of the time
     if (!status) status = paradt__living_complete(d);
     paradt__set_free(&work.set, &d->memory);
     paradt__release(&d->memory, out.representative);

@@ -42,20 +42,20 @@ static inline void expect_ok(paradt_status status, const char *what) {
 
 // --- bytes to numbers
 
-typedef struct bytes {
+typedef struct source {
     const uint8_t *data;
     size_t left;
-} bytes;
+} source;
 
 // Returns the next byte; 0 at the end.
-static inline int next_byte(bytes *b) {
+static inline int next_byte(source *b) {
     if (!b->left)
         return 0;
     b->left--;
     return *b->data++;
 }
 
-static inline int next_signed(bytes *b) {
+static inline int next_signed(source *b) {
     int byte = next_byte(b);
     return byte < 128 ? byte : byte - 256;
 }
@@ -94,7 +94,7 @@ enum { LATTICE, ULPS, SCALED, RAW };
 // ULPS:    a signed byte n: the nth representable number after a base that the parameter chooses
 // SCALED:  two signed bytes m, e: m * 2^(8 e)
 // RAW:     the eight bytes of the double, least significant first
-static inline double next_number(bytes *b, int encoding, int parameter, int keep) {
+static inline double next_number(source *b, int encoding, int parameter, int keep) {
     static const double bases[] = {
         1.0,   0.0, 0x1p-1022, 0x1p-1060, 0x1.fffffffffffp1023, 0x1p300, 0x1p-300, 0x1.8p52, 0x1.999999999999ap-4,
         1024.0};
@@ -127,14 +127,14 @@ static inline double next_number(bytes *b, int encoding, int parameter, int keep
 
 enum { MAX_POINTS = 64, MAX_DIM = 5, MAX_REGIONS = 9 };
 
-typedef struct input {
+typedef struct decoded {
     double x[MAX_POINTS * MAX_DIM], w[MAX_POINTS];
     paradt_points points;
     size_t regions;
     paradt_partition partition;
     int spoil;     // byte 3 of the header
     int first_bad; // index of the first point that is not finite, or -1
-} input;
+} decoded;
 
 // Decodes the points of an input. Its first five bytes are a header:
 //     0  bits 0-1: dimension - 2; bits 2-3: encoding; bit 4: the points have weights; bit 5: every third point is a
@@ -146,7 +146,7 @@ typedef struct input {
 // The points follow, until the input or the room ends: the coordinates of each and, if there are weights, its weight.
 //   most_points  [MAX_DIM + 1] by dimension: fewer in higher ones, where a point costs more. An input should take well
 //                below a tenth of a second, with sanitizers.
-static inline void decode(input *in, bytes *b, const int *most_points) {
+static inline void decode(decoded *in, source *b, const int *most_points) {
     int flags = next_byte(b), regions = next_byte(b), parameter = next_byte(b), dim = 2 + (flags & 3), count = 0, i;
     int encoding = flags >> 2 & 3, weighted = flags >> 4 & 1, copies = flags >> 5 & 1, keep = flags >> 6 & 1;
     int flat, axis;
@@ -185,14 +185,14 @@ static inline int is_same_place(const double *a, const double *b, size_t dim) {
 
 // --- an allocator that fails
 
-typedef struct blocks {
+typedef struct account {
     int held;    // blocks that were allocated and not freed
     int calls;   // allocations so far
     int fail_at; // number of the allocation that fails; -1: none
-} blocks;
+} account;
 
 static inline void *failing_alloc(void *user, size_t size) {
-    blocks *b = (blocks *)user;
+    account *b = (account *)user;
     if (b->calls++ == b->fail_at)
         return NULL;
     b->held++;
@@ -200,12 +200,12 @@ static inline void *failing_alloc(void *user, size_t size) {
 }
 
 static inline void failing_free(void *user, void *memory) {
-    ((blocks *)user)->held--;
+    ((account *)user)->held--;
     free(memory);
 }
 
 // Returns default options with an allocator that counts in *b, none of whose calls fails yet.
-static inline paradt_options counted_options(blocks *b) {
+static inline paradt_options counted_options(account *b) {
     paradt_options options;
     memset(&options, 0, sizeof options);
     b->held = b->calls = 0;
@@ -217,7 +217,7 @@ static inline paradt_options counted_options(blocks *b) {
 }
 
 // Did an allocation fail?
-static inline int has_failed(const blocks *b) {
+static inline int has_failed(const account *b) {
     return b->fail_at >= 0 && b->calls > b->fail_at;
 }
 

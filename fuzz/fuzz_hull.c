@@ -22,7 +22,7 @@ static void certify(const paradt_hull *hull, const paradt_points *points, unsign
 }
 
 // No point may be beyond a facet. Only where the points span their dimension.
-static void expect_outward(const input *in, const paradt_hull *hull) {
+static void expect_outward(const decoded *in, const paradt_hull *hull) {
     const double *p[MAX_DIM + 1];
     size_t dim = (size_t)hull->dim, f, q, i;
     for (f = 0; f < hull->facet_count; f++) {
@@ -70,7 +70,7 @@ static void expect_facets_of_triangulation(const paradt_hull *hull, const paradt
 }
 
 // The exact volume, times dim!, has to be within the error of the one that is stated.
-static void expect_volume(const input *in, const paradt_hull *hull, const paradt_triangulation *t) {
+static void expect_volume(const decoded *in, const paradt_hull *hull, const paradt_triangulation *t) {
     static wide edges[WIDE_COLUMNS][WIDE_COLUMNS], volume, cell, number, bound, factor;
     int dim = t->dim, scale = 1000, i, k, least;
     uint32_t factorial = 1;
@@ -113,10 +113,10 @@ static void expect_volume(const input *in, const paradt_hull *hull, const paradt
 }
 
 // Without an extreme point the hull has to be another; without another vertex its corners are the same.
-static void expect_extreme(const input *in, const paradt_hull *hull) {
+static void expect_extreme(const decoded *in, const paradt_hull *hull) {
     size_t dim = (size_t)in->points.dim, v;
     size_t chosen = hull->vertex_count ? (size_t)in->spoil % hull->vertex_count : 0, i;
-    input less = *in;
+    decoded less = *in;
     paradt_hull other;
     int reaches = 0;
     if (hull->dim != in->points.dim)
@@ -143,7 +143,7 @@ static void expect_extreme(const input *in, const paradt_hull *hull) {
     paradt_hull_free(&other);
 }
 
-static void expect_same_by_tasks(const input *in, const paradt_hull *hull) {
+static void expect_same_by_tasks(const decoded *in, const paradt_hull *hull) {
     paradt_options options;
     paradt_hull other;
     memset(&options, 0, sizeof options);
@@ -161,7 +161,7 @@ static void expect_same_by_tasks(const input *in, const paradt_hull *hull) {
 }
 
 // Overwrites one element of an array, and restores it. The hull may be certified only if the facets are still the same.
-static void expect_no_false_certificate(const input *in, const paradt_hull *hull, paradt_index *array, size_t count) {
+static void expect_no_false_certificate(const decoded *in, const paradt_hull *hull, paradt_index *array, size_t count) {
     size_t place;
     paradt_index right;
     uint64_t hash = paradt_hull_hash(hull);
@@ -176,8 +176,8 @@ static void expect_no_false_certificate(const input *in, const paradt_hull *hull
     array[place] = right;
 }
 
-static void expect_clean_failure(const input *in, const paradt_hull *hull) {
-    blocks b;
+static void expect_clean_failure(const decoded *in, const paradt_hull *hull) {
+    account b;
     paradt_options options = counted_options(&b);
     paradt_hull other;
     paradt_status status;
@@ -194,8 +194,8 @@ static void expect_clean_failure(const input *in, const paradt_hull *hull) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static const int most_points[MAX_DIM + 1] = {0, 0, 64, 40, 24, 16};
-    bytes b = {data, size};
-    input in;
+    source b = {data, size};
+    decoded in;
     paradt_hull hull;
     paradt_triangulation t;
     paradt_status status;

@@ -21,8 +21,8 @@ enum { MOST_IDS = 64 };
 
 typedef struct living {
     paradt_dynamic *set;
-    blocks blocks;
-    bytes bytes;
+    account blocks;
+    source bytes;
     int dim, encoding, parameter, weighted, flat;
     double x[MOST_IDS][MAX_DIM], w[MOST_IDS]; // by id
     int there[MOST_IDS];

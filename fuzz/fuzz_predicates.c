@@ -230,7 +230,7 @@ static void degenerate(few *f, int kind, int which) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static const int modes[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    bytes b = {data, size};
+    source b = {data, size};
     few f;
     int flags = next_byte(&b), parameter = next_byte(&b), swap = next_byte(&b), extras = next_byte(&b), i, k;
     int encoding = flags >> 3 & 3, orient, insphere, power, first, second;

@@ -11,8 +11,8 @@
 #include "wide.h"
 
 // Returns the input with the points in reverse order. The caller sets points.data and points.weights.
-static input reversed(const input *in) {
-    input out = *in;
+static decoded reversed(const decoded *in) {
+    decoded out = *in;
     size_t i, count = in->points.count, dim = (size_t)in->points.dim;
     for (i = 0; i < count; i++) {
         memcpy(out.x + i * dim, in->x + (count - 1 - i) * dim, dim * sizeof(double));
@@ -86,7 +86,7 @@ static void expect_no_false_certificate(const paradt_triangulation *t, const par
 }
 
 // The points have to be triangulated, with these options, to cells of this hash.
-static void expect_hash(const input *in, const paradt_options *options, uint64_t hash, const char *what) {
+static void expect_hash(const decoded *in, const paradt_options *options, uint64_t hash, const char *what) {
     paradt_triangulation t;
     paradt_status status = paradt_triangulate(&t, &in->points, options);
     if (status)
@@ -104,8 +104,8 @@ static void expect_hash(const input *in, const paradt_options *options, uint64_t
 
 // Triangulates the points in reverse order. The cells have to be those of t: each vertex is translated to the point
 // that stands for it in t.
-static void expect_same_reversed(const input *in, const paradt_triangulation *t) {
-    input back = reversed(in);
+static void expect_same_reversed(const decoded *in, const paradt_triangulation *t) {
+    decoded back = reversed(in);
     paradt_triangulation u;
     paradt_status status;
     uint64_t sum = 0;
@@ -133,7 +133,7 @@ static void expect_same_reversed(const input *in, const paradt_triangulation *t)
 
 // Moves points. kind: 0: each a little, in the last bits of its coordinates; 1: each by up to a 64th of its size; 2: every
 // third to the place of another; 3: none, but their weights
-static void move(input *in, int kind) {
+static void move(decoded *in, int kind) {
     size_t count = in->points.count, dim = (size_t)in->points.dim, i;
     for (i = 0; i < count * dim && kind < 2; i++)
         in->x[i] = from_bits(to_bits(in->x[i]) ^ (i * 0x9e3779b97f4a7c15u + 1) >> (kind ? 18 : 54));
@@ -144,8 +144,8 @@ static void move(input *in, int kind) {
 }
 
 // A triangulation has to become that of the points where they are now. flags: those that it is made with
-static void expect_repair(const input *in, unsigned flags) {
-    input moved = *in;
+static void expect_repair(const decoded *in, unsigned flags) {
+    decoded moved = *in;
     paradt_options options;
     paradt_triangulation t, u;
     paradt_status status;
@@ -173,8 +173,8 @@ static void expect_repair(const input *in, unsigned flags) {
 }
 
 // A failing allocation has to be reported, and no memory may be leaked.
-static void expect_clean_failure(const input *in, uint64_t hash) {
-    blocks b;
+static void expect_clean_failure(const decoded *in, uint64_t hash) {
+    account b;
     paradt_options options = counted_options(&b);
     paradt_triangulation t;
     paradt_status status;
@@ -212,7 +212,7 @@ static void add_volumes(wide *sum, const paradt_triangulation *t, const double *
 }
 
 // The cells of both triangulations have to fill the same hull.
-static void expect_same_volume(const input *in, const paradt_triangulation *t, const paradt_triangulation *u) {
+static void expect_same_volume(const decoded *in, const paradt_triangulation *t, const paradt_triangulation *u) {
     static wide volume, other;
     int scale = 2000;
     size_t i;
@@ -226,7 +226,7 @@ static void expect_same_volume(const input *in, const paradt_triangulation *t, c
 }
 
 // Is another point at the place of point q, and heavier?
-static int stands_behind(const input *in, size_t q) {
+static int stands_behind(const decoded *in, size_t q) {
     size_t dim = (size_t)in->points.dim, i;
     for (i = 0; i < in->points.count; i++)
         if (in->w[i] > in->w[q] && is_same_place(in->x + i * dim, in->x + q * dim, dim))
@@ -235,7 +235,7 @@ static int stands_behind(const input *in, size_t q) {
 }
 
 // Each point that is not at the place of one of the cell's vertices has to be in conflict with it.
-static void expect_all_in_conflict(const input *in, const paradt_triangulation *u, size_t cell) {
+static void expect_all_in_conflict(const decoded *in, const paradt_triangulation *u, size_t cell) {
     const double *p[MAX_DIM + 2];
     double weights[MAX_DIM + 2];
     size_t dim = (size_t)in->points.dim, q, i;
@@ -257,7 +257,7 @@ static void expect_all_in_conflict(const input *in, const paradt_triangulation *
 }
 
 // The furthest-site triangulation has to obey its definition, with one task and with several. t: the other one
-static void expect_furthest_site(const input *in, const paradt_triangulation *t) {
+static void expect_furthest_site(const decoded *in, const paradt_triangulation *t) {
     paradt_options options;
     paradt_triangulation u, v;
     size_t c;
@@ -283,8 +283,8 @@ static void expect_furthest_site(const input *in, const paradt_triangulation *t)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static const int most_points[MAX_DIM + 1] = {0, 0, 64, 40, 24, 16};
-    bytes b = {data, size};
-    input in;
+    source b = {data, size};
+    decoded in;
     paradt_options options;
     paradt_triangulation t;
     paradt_status status;
