@@ -1033,7 +1033,8 @@ PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t coun
 // With PARADT_FURTHEST_SITE the cells are those whose sphere has all points inside or on it, ties broken by the same
 // rule: a cell is there when paradt_insphere_perturbed says for every other point that it is in conflict. They are the
 // upper side of the lifted points, and triangulate the convex hull; their vertices are on the hull, and all other
-// points are hidden. The method is PARADT_AUTO or PARADT_LIFTED_HULL; paradt_check can't certify them.
+// points are hidden. Of points at one place the one of the largest weight counts here, too: others are not asked. The
+// method is PARADT_AUTO or PARADT_LIFTED_HULL; paradt_check can't certify them.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
@@ -1260,7 +1261,8 @@ PARADT_DEF paradt_status paradt_dynamic_move_points(paradt_dynamic *d, const par
 // Fills what the set is now. Thread-safe on a set that does not change.
 PARADT_DEF void paradt_dynamic_get_info(const paradt_dynamic *d, paradt_dynamic_info *info);
 
-// Fills which cells the last change killed and made. A batch is one change.
+// Fills which cells the last change killed and made. A batch is one change. A cell is not among them when only the id of
+// a vertex is another, since another point at its place stands for it now: one that was there, or has come to it.
 PARADT_DEF void paradt_dynamic_get_update(const paradt_dynamic *d, paradt_dynamic_update *update);
 
 // Fills the vertices and neighbours of a cell. Returns 1, or 0 if the number is of no cell.
@@ -6890,8 +6892,8 @@ PARADT__INLINE void paradt__sides_in_plane(const paradt__scene *scene, const par
 }
 
 // The facet of a cell that a walk crosses to get to x; -1: x is in the cell, and *inside has a bit for each vertex with
-// x strictly on its side of the facet opposite. from: the facet it came through; -1: none. In the plane and in space it
-// is the facet that has x farthest beyond it, as a part of the cell's height.
+// x strictly on its side of the facet opposite. from: the facet it came through, which x is strictly inside of; -1: none.
+// In the plane and in space it is the facet that has x farthest beyond it, as a part of the cell's height.
 PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell, const double *x, int from,
                                          unsigned *inside, int corners) {
     const paradt_index *row = scene->mesh.vertices + (size_t)cell * (size_t)corners;
@@ -6944,7 +6946,7 @@ PARADT__INLINE paradt_index paradt__walk_by(paradt__scene *scene, paradt_index c
         if (ghost < 0) facet = paradt__facet_towards(scene, cell, x, from, inside, corners);
         else if (from == ghost || paradt__side(scene, cell, ghost, x) > 0) return cell;
         if (facet < 0) return cell;
-        from = (int)(links[facet] % corners);
+        from = ghost < 0 ? (int)(links[facet] % corners) : -1; // x may be on the facet of the ghost that it starts at
         cell = links[facet] / corners;
     }
     return PARADT__OPEN;
@@ -25362,7 +25364,7 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
         d->killed.count += 1 + 2 * row;
         if (!finite) continue;
         d->killed_numbers.items[d->killed_numbers.count++] = place;
-        for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = owner[to[j]];
+        for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = to[j];
     }
     return PARADT_OK;
 }
@@ -25465,10 +25467,32 @@ static void paradt__living_begin(paradt_dynamic *d, int steps) {
     paradt__meter_begin(&d->meter, &d->options);
 }
 
+// Exchanges what a journal's entry says of the owner of a position with what the column says.
+static void paradt__living_exchange_owner(paradt_dynamic *d, paradt_index *entry) {
+    paradt_index now = paradt__living_get(d, PARADT__OWNER, entry[1]);
+    d->column[PARADT__OWNER][entry[1]] = entry[2];
+    entry[2] = now;
+}
+
+// Gives the vertices of killed cells the ids that they had before the change: at some places another point may stand
+// for them now, one that has come by the same change. The owners are taken back for that, and redone.
+static void paradt__living_name_killed(paradt_dynamic *d) {
+    size_t at, i;
+    for (at = d->log.count; at; at -= 3)
+        if (d->log.items[at - 3] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at - 3);
+    for (i = 0; i < d->killed_vertices.count; i++) {
+        PARADT_ASSERT(paradt__living_get(d, PARADT__OWNER, d->killed_vertices.items[i]) >= 0);
+        d->killed_vertices.items[i] = paradt__living_get(d, PARADT__OWNER, d->killed_vertices.items[i]);
+    }
+    for (at = 0; at < d->log.count; at += 3)
+        if (d->log.items[at] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at);
+}
+
 // Makes the journal what paradt_dynamic_get_update gives.
 static void paradt__living_publish(paradt_dynamic *d) {
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = (size_t)mesh->corners, at, made = 0;
+    paradt__living_name_killed(d);
     for (at = 0; at < d->made.count; at++) {
         size_t place = (size_t)d->made.items[at];
         if (d->steps && !(mesh->marks[place] & PARADT__FRESH)) continue;

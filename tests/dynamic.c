@@ -756,6 +756,45 @@ static void places_are_found(void **state) {
     }
 }
 
+// A walk may begin outside, at the ghost of a hull facet that the place is on.
+static void vertices_on_the_hull_are_found_from_anywhere(void **state) {
+    static const double x[] = {1, -0x1.4p504, 0x1p501, -0x1p500, 1, 0};
+    paradt_points points = paradt_points_f64(x, 3, 2);
+    paradt_dynamic *d;
+    (void)state;
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    for (int turn = 0; turn < 2; turn++) { // in the second the set's hint is a ghost
+        for (int i = 0; i < 3; i++)
+            for (paradt_index hint = -1; hint < 3; hint++) {
+                paradt_location at = paradt_dynamic_locate(d, x + 2 * i, hint);
+                paradt_index v[3];
+                assert_true(paradt_dynamic_cell(d, at.cell, v, NULL));
+                for (int j = 0; j < 3; j++)
+                    assert_int_equal(at.face >> j & 1, v[j] == i);
+            }
+        assert_int_equal(paradt_dynamic_move(d, 0, x, 0), PARADT_OK);
+    }
+    paradt_dynamic_free(d);
+}
+
+// In a batch points come to the places of vertices, for which they stand then, before these vertices' cells die.
+static void killed_cells_have_the_ids_that_they_had(void **state) {
+    static const double x[] = {9, 9, 0, 0, 4, 0, 0, 4}, more[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    paradt_points points = paradt_points_f64(x, 4, 2), come = paradt_points_f64(more, 4, 2);
+    paradt_dynamic *d;
+    paradt_dynamic_update u;
+    (void)state;
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    assert_int_equal(paradt_dynamic_remove(d, 0), PARADT_OK); // its id is that of the first to come
+    assert_int_equal(paradt_dynamic_insert_points(d, &come, NULL), PARADT_OK);
+    paradt_dynamic_get_update(d, &u);
+    assert_int_equal(paradt_dynamic_representative(d, 1), 0);
+    if (!u.rebuilt)
+        for (size_t i = 0; i < 3 * u.killed_count; i++)
+            assert_true(u.killed_vertices[i] >= 1 && u.killed_vertices[i] <= 3);
+    paradt_dynamic_free(d);
+}
+
 // Many changes in a row; SOAK says how many.
 static void soak(void **state) {
     const char *wanted = getenv("SOAK");
@@ -796,6 +835,9 @@ int main(void) {
     tests[count++] = named_test(wrong_arguments_are_refused, NULL, "wrong_arguments_are_refused");
     tests[count++] = named_test(updates_tell_what_changed, NULL, "updates_tell_what_changed");
     tests[count++] = named_test(places_are_found, NULL, "places_are_found");
+    tests[count++] = named_test(vertices_on_the_hull_are_found_from_anywhere, NULL,
+                                "vertices_on_the_hull_are_found_from_anywhere");
+    tests[count++] = named_test(killed_cells_have_the_ids_that_they_had, NULL, "killed_cells_have_the_ids_that_they_had");
     tests[count++] = named_test(soak, NULL, "soak");
     return run_named_tests("dynamic", tests, count);
 }
