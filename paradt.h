@@ -1281,6 +1281,7 @@ PARADT_DEF const double *paradt_dynamic_point(const paradt_dynamic *d, paradt_in
 PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, paradt_index id);
 
 // Returns the number of cells that have a vertex, and fills the first `capacity` of them. 0 for what is no vertex.
+// Cost: linear in the number; memory is taken, for the time of the call, where that is more than 256.
 PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity);
 
 #ifndef PARADT_NO_LOCATOR
@@ -1635,7 +1636,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     journal of a living set      315   how changes are noted and undone
 //     changes of a living set      455   one point comes, goes or moves
 //     making a living set          262   the set anew
-//     living set                   639   the entry
+//     living set                   665   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
 //     Voronoi vertices             157   centres of cells, and their errors
@@ -27119,10 +27120,9 @@ PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, p
     return paradt__living_is_hidden(d, position) ? -1 : paradt__living_get(d, PARADT__OWNER, position);
 }
 
-// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells: a star of many cells would take
-// memory that nobody can provide here.
-static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
-                                        size_t capacity) {
+// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells.
+static size_t paradt__living_star_of_all(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                         size_t capacity) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     size_t count = 0, i;
     for (i = 0; i < mesh->count; i++) {
@@ -27132,6 +27132,33 @@ static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index po
         if (count++ < capacity) cells[count - 1] = (paradt_index)i;
     }
     return count;
+}
+
+// The same from a cell of the vertex to the others, in time linear in their number. That takes memory; if there is none
+// all cells of the set are looked at.
+static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                        size_t capacity) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt__memory memory;
+    paradt__seen star;
+    size_t next, count = 0;
+    int fresh;
+    paradt_status status;
+    memset(&star, 0, sizeof star);
+    paradt__memory_begin(&memory, &d->options);
+    status = paradt__seen_add(&star, paradt__living_get(d, PARADT__CELL, position), &fresh, &memory);
+    for (next = 0; next < star.items.count && !status; next++) {
+        const paradt_index place = star.items.items[next], base = place * mesh->corners;
+        paradt_index i;
+        if (paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners) && count++ < capacity)
+            cells[count - 1] = place;
+        for (i = base; i < base + mesh->corners && !status; i++) {
+            if (mesh->vertices[i] != position)
+                status = paradt__seen_add(&star, paradt__mesh_cell(mesh, mesh->links[i]), &fresh, &memory);
+        }
+    }
+    paradt__seen_free(&star, &memory);
+    return status ? paradt__living_star_of_all(d, position, cells, capacity) : count;
 }
 
 PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity) {

@@ -513,6 +513,93 @@ static void failing_free(void *user, void *memory) {
     free(memory);
 }
 
+// Counts the cells of a vertex by looking at all, and fails unless the star is these, each once.
+static int expect_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t room) {
+    paradt_dynamic_info info;
+    paradt_index row[PARADT_MAX_DIM + 1];
+    int count = 0;
+    paradt_dynamic_get_info(d, &info);
+    char *seen = (char *)need(info.cell_end, 1);
+    size_t stars = paradt_dynamic_star(d, id, cells, room);
+    assert_true(stars <= room);
+    for (size_t i = 0; i < stars; i++) {
+        assert_true(!seen[cells[i]]);
+        seen[cells[i]] = 1;
+    }
+    for (paradt_index place = 0; place < (paradt_index)info.cell_end; place++) {
+        int has = 0;
+        if (!paradt_dynamic_cell(d, place, row, NULL))
+            continue;
+        for (int i = 0; i <= info.dim; i++)
+            has |= row[i] == id;
+        assert_int_equal(seen[place], has);
+        count += has;
+    }
+    assert_int_equal(stars, count);
+    free(seen);
+    return count;
+}
+
+// A point with very many cells: its star is whole, with and without memory, and takes the time that it takes to read so
+// many cells, however many others there are.
+static void large_stars_are_whole(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++) {
+        int count = SANITIZED ? 16000 : 40000, many;
+        failing memory = {0, 0, 0};
+        paradt_options options = {0};
+        paradt_dynamic *d;
+        options.allocator.alloc = failing_alloc;
+        options.allocator.free = failing_free;
+        options.allocator.user = &memory;
+        sample pool = family_make(&families[family_named("uniform")], NULL, dim, count, 9);
+        for (int i = 0; i < count; i++) { // those near the centre go to a sphere around it
+            double square = 0.0, *x = pool.x + i * dim, radius = dim == 2 ? 0.08 : 0.2;
+            for (int k = 0; k < dim; k++)
+                square += (x[k] - 0.5) * (x[k] - 0.5);
+            for (int k = 0; k < dim; k++)
+                x[k] = !i ? 0.5 : square < radius * radius ? 0.5 + (x[k] - 0.5) * radius / sqrt(square) : x[k];
+        }
+        paradt_points points = points_of(&pool);
+        assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_OK);
+        size_t live = memory.live;
+        paradt_index *cells = (paradt_index *)need(20000, sizeof *cells), few[3] = {-1, -1, -1};
+        many = expect_star(d, 0, cells, 20000);
+        assert_true(many > 257);
+        for (size_t at = 1; at < 20; at++) {
+            memory.calls = 0;
+            memory.fail_at = at;
+            assert_int_equal(expect_star(d, 0, cells, 20000), many);
+            memory.fail_at = 0;
+        }
+        assert_int_equal(paradt_dynamic_star(d, 0, few, 2), many);
+        assert_true(few[1] >= 0 && few[2] == -1);
+        assert_int_equal(memory.live, live);
+        if (!SANITIZED) {
+            paradt_dynamic_info info;
+            double star = 1e9, all = 1e9;
+            paradt_dynamic_get_info(d, &info);
+            for (int again = 0; again < 5; again++) {
+                clock_t begun = clock();
+                for (int i = 0; i < 20; i++)
+                    paradt_dynamic_star(d, 0, cells, 20000);
+                star = fmin(star, (double)(clock() - begun));
+                begun = clock();
+                for (int i = 0; i < 20; i++)
+                    for (paradt_index place = 0; place < (paradt_index)info.cell_end; place++)
+                        paradt_dynamic_cell(d, place, cells, NULL);
+                all = fmin(all, (double)(clock() - begun));
+            }
+            print_message("# %d dimensions: star of %d cells, reading all %d times as many: %.3f of the time\n", dim, many,
+                          (int)info.cell_count / many, star / all);
+            assert_true(star < 0.5 * all);
+        }
+        paradt_dynamic_free(d);
+        sample_free(&pool);
+        free(cells);
+    }
+}
+
 // One change of each kind; returns its status.
 static paradt_status change_once(game *g, int kind, const double *x, const double *w, paradt_index *ids, int n) {
     paradt_points points = paradt_points_f64(x, (size_t)n, g->s.dim);
@@ -872,7 +959,7 @@ static void soak(void **state) {
 }
 
 int main(void) {
-    static struct CMUnitTest tests[3 * FAMILY_COUNT + 18];
+    static struct CMUnitTest tests[3 * FAMILY_COUNT + 20];
     static const char *const some[] = {"uniform", "lattice", "duplicates", "axis plane", "line"};
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT; f++)
@@ -883,6 +970,7 @@ int main(void) {
     for (int f = 0; f < FAMILY_COUNT; f++)
         tests[count++] = named_test(located_by_what_was_is_new, (void *)(intptr_t)f, "located_by_what_was_is_new_%s",
                                     families[f].name);
+    tests[count++] = named_test(large_stars_are_whole, NULL, "large_stars_are_whole");
     tests[count++] = named_test(located_by_what_was_stays, NULL, "located_by_what_was_stays");
     tests[count++] = named_test(located_by_what_was_goes_on, NULL, "located_by_what_was_goes_on");
     tests[count++] = named_test(failing_allocations_while_creating, NULL, "failing_allocations_while_creating");
