@@ -1631,7 +1631,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     locator                      644   the entry of queries
 //     holes of vertices            382   the hole where a vertex goes, and wrapping it
 //     filling holes                391   what fills it
-//     past of a living set         234   location by all cells that there were
+//     past of a living set         243   location by all cells that there were
 //     state of a living set        428   columns, hidden and coincident points
 //     journal of a living set      315   how changes are noted and undone
 //     changes of a living set      455   one point comes, goes or moves
@@ -14543,8 +14543,8 @@ PARADT__INLINE paradt_index paradt__history_locate(const paradt__nodes *h, parad
 // moves heights alone, as if the lifted points were in general position, so that this holds in degenerate places, too.
 //
 // What is known of a cell is kept beside its place, as long as p is the same: each is asked once, from whatever facet.
-// Doors: struct paradt__flips, paradt__flips_free, paradt__flips_find, paradt__flips_insert, paradt__flips_build,
-// paradt__insert_by_flips.
+// Doors: struct paradt__flips, paradt__flips_free, paradt__flips_room, paradt__flips_find, paradt__flips_insert,
+// paradt__flips_build, paradt__insert_by_flips.
 
 // What is kept with a place
 typedef struct paradt__flip_place {
@@ -14567,9 +14567,9 @@ typedef struct paradt__flips {
 } paradt__flips;
 
 // Makes room for so many new cells in the history and in the list of facets, and keeps something with all places.
-static paradt_status paradt__flips_room(paradt__flips *f, size_t made) {
-    paradt__memory *memory = f->flipper.build.memory;
-    size_t capacity = f->flipper.build.scene.mesh.capacity;
+static paradt_status paradt__flips_room(paradt__flips *f, const paradt__mesh *mesh, size_t made,
+                                        paradt__memory *memory) {
+    size_t capacity = mesh->capacity;
     paradt_status status = paradt__nodes_room(&f->history, made, memory);
     if (!status)
         status = paradt__list_room(&f->facets.items, f->facets.count, &f->facets.capacity, f->facets.count + 2 * made,
@@ -14604,7 +14604,8 @@ PARADT__INLINE void paradt__flips_bury(paradt__flips *f, paradt_index handle, in
 PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners) {
     const paradt__update *update = &f->flipper.build.update;
     const size_t positive = (size_t)f->flipper.positive, each = (size_t)f->flipper.negative + 1;
-    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_status status =
+        paradt__flips_room(f, &f->flipper.build.scene.mesh, update->made_count, f->flipper.build.memory);
     size_t i, j;
     for (i = 0; i < f->flipper.star.count && !status; i++) {
         paradt_index parent = f->at[update->killed[i * each] / corners].node;
@@ -14618,7 +14619,8 @@ PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners)
 static paradt_status paradt__flips_record_star(paradt__flips *f) {
     const paradt__update *update = &f->flipper.build.update;
     int corners = f->flipper.build.scene.mesh.corners;
-    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_status status =
+        paradt__flips_room(f, &f->flipper.build.scene.mesh, update->made_count, f->flipper.build.memory);
     paradt_index parent = f->at[update->killed[0] / corners].node;
     size_t i;
     for (i = 0; i < update->killed_count && !status; i++) paradt__flips_bury(f, update->killed[i], corners);
@@ -14626,8 +14628,8 @@ static paradt_status paradt__flips_record_star(paradt__flips *f) {
     return status;
 }
 
-// Tells the witness of a flip that has been collected: what it kills, and the rim of that. Makes all the room that the
-// flip takes.
+// Tells the witness of a flip that has been collected: what it kills, and the rim of that. Makes the room that the
+// flip itself takes; that of the history is the witness' to make.
 static paradt_status paradt__flips_tell(paradt__flips *f, int corners) {
     paradt__insertion *build = &f->flipper.build;
     paradt__mesh *mesh = &build->scene.mesh;
@@ -14635,7 +14637,6 @@ static paradt_status paradt__flips_tell(paradt__flips *f, int corners) {
     size_t each = (size_t)f->flipper.negative + 1, i, j;
     paradt_index handle;
     paradt_status status = paradt__flip_room(&f->flipper);
-    if (!status) status = paradt__flips_room(f, f->flipper.star.count * (size_t)f->flipper.positive);
     if (!status)
         status = paradt__list_room(&build->rim, 0, &build->rim_capacity, f->flipper.star.count * each * (size_t)corners,
                                    build->memory);
@@ -14768,7 +14769,6 @@ static paradt_status paradt__flips_see(paradt__flips *f, paradt_index first, con
 static paradt_status paradt__flips_connect(paradt__flips *f, paradt_index first, paradt_index point) {
     paradt__insertion *build = &f->flipper.build;
     paradt_status status = paradt__flips_see(f, first, paradt__scene_record(&build->scene, point));
-    if (!status && build->witness) status = paradt__flips_room(f, build->rim_count);
     if (!status && build->witness) status = build->witness->dug(build->witness, build);
     if (!status) status = paradt__cavity_star(build, point);
     if (!status) status = paradt__flips_record_star(f);
@@ -14851,7 +14851,7 @@ static paradt_status paradt__flips_begin(paradt__flips *f) {
     if (status) return status;
     build->inserted = corners;
     f->history.width = (corners + PARADT__NODE_VERTICES) * sizeof(paradt_index);
-    status = paradt__flips_room(f, corners + 1);
+    status = paradt__flips_room(f, mesh, corners + 1, build->memory);
     for (place = 0; place < mesh->count && !status; place++)
         f->at[place].node = paradt__history_add(&f->history, PARADT__OPEN, (paradt_index)place,
                                                 mesh->vertices + place * corners, mesh->corners);
@@ -14929,8 +14929,8 @@ PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt
 // The tree hangs on a scene by its updates: paradt__tree_locate finds a cell, whoever changes the mesh hands the update
 // to paradt__tree_record. Between the two `at` names the node of each live cell. A node takes 4 (corners + 7) bytes,
 // 44 in space, with 32-bit indices; there are about dim + 1 of them for each cell that lives in the end.
-// Doors: struct paradt__tree, paradt__tree_at, paradt__tree_locate, paradt__tree_record, paradt__tree_free,
-// paradt__tree_build, paradt__delaunay_tree.
+// Doors: struct paradt__tree, paradt__tree_at, paradt__tree_room, paradt__tree_locate, paradt__tree_record,
+// paradt__tree_free, paradt__tree_build, paradt__delaunay_tree.
 
 // A node; behind it stands its row, the vertices of the cell, positively oriented. In a ghost ~v stands for the
 // infinite vertex, where v is the vertex opposite the ghost's facet in the cell that was behind it then. PARADT__OPEN
@@ -14972,7 +14972,7 @@ static void paradt__tree_free(paradt__tree *tree) {
 // Makes room for so many more nodes, and for the node at each place of the mesh.
 static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *mesh, size_t more) {
     void *at = tree->at;
-    if (!PARADT__LIKELY(mesh->count <= tree->places)) {
+    if (!PARADT__LIKELY(mesh->capacity <= tree->places)) {
         if (!paradt__grow(tree->memory, &at, tree->places, mesh->capacity, sizeof *tree->at))
             return PARADT_ERROR_MEMORY;
         tree->at = (paradt_index *)at;
@@ -25043,9 +25043,18 @@ static void paradt__past_begin(paradt__past *past) {
     past->killed.count = 0;
 }
 
-// Makes room for killing so many cells.
-static paradt_status paradt__past_room(paradt__past *past, size_t killed, paradt__memory *memory) {
+// Makes room for killing and making so many cells of a mesh, which has room for them.
+static paradt_status paradt__past_room(paradt__past *past, const paradt__mesh *mesh, size_t killed, size_t made,
+                                       paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
     if (past->method == PARADT_AUTO) return PARADT_OK;
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) status = paradt__tree_room(&past->tree, mesh, made);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) status = paradt__flips_room(&past->flips, mesh, made, memory);
+#endif
+    if (status) return status;
     return paradt__list_room(&past->killed.items, past->killed.count, &past->killed.capacity,
                              past->killed.count + killed, memory);
 }
@@ -25618,7 +25627,7 @@ static paradt_status paradt__living_mesh_room(paradt_dynamic *d, size_t made) {
     if (!status) status = paradt__list_more(&d->made, made, &d->memory);
     if (!status) status = paradt__list_more(&d->killed, killed * (1 + 2 * corners), &d->memory);
     if (!status) status = paradt__list_more(&d->torn, 2 * build->rim_count, &d->memory);
-    if (!status) status = paradt__past_room(&d->past, killed, &d->memory);
+    if (!status) status = paradt__past_room(&d->past, mesh, killed, made, &d->memory);
     if (!status) status = paradt__list_more(&d->killed_numbers, killed, &d->memory);
     if (!status) status = paradt__list_more(&d->killed_vertices, killed * corners, &d->memory);
     if (!status && d->weighted && mesh->capacity > d->hung_room) {
