@@ -1222,8 +1222,10 @@ PARADT_DEF void paradt_adjacency_free(paradt_adjacency *adjacency);
 //   points   read during the call only; point i has the id i. Without weights all weights are 0, and those of later
 //            points must be, too.
 //   options  NULL: the defaults. They hold for all calls on the set: allocator, memory_limit (of the set), progress,
-//            parallel_for, user, regions. method: PARADT_AUTO, points are located by a walk from a grid of starting
-//            cells. flags: 0
+//            parallel_for, user, regions. flags: 0. method is how points are located: PARADT_AUTO by a walk from a grid
+//            of starting cells; PARADT_DELAUNAY_TREE and PARADT_FLIP by all cells that there were, the Delaunay tree or
+//            the history of flips, which take the more memory the more points have come. Then points can only be
+//            inserted: removing and moving are PARADT_ERROR_ARGUMENT
 // Errors: those of paradt_triangulate. Thread safety: any number of concurrent calls. Cost: that of paradt_triangulate.
 PARADT_DEF paradt_status paradt_dynamic_create(paradt_dynamic **out, const paradt_points *points,
                                                const paradt_options *options);
@@ -1261,8 +1263,8 @@ PARADT_DEF paradt_status paradt_dynamic_move_points(paradt_dynamic *d, const par
 // Fills what the set is now. Thread-safe on a set that does not change.
 PARADT_DEF void paradt_dynamic_get_info(const paradt_dynamic *d, paradt_dynamic_info *info);
 
-// Fills which cells the last change killed and made. A batch is one change. A cell is not among them when only the id of
-// a vertex is another, since another point at its place stands for it now: one that was there, or has come to it.
+// Fills which cells the last change killed and made. A batch is one change. A cell is not among them when only the id
+// of a vertex is another, since another point at its place stands for it now: one that was there, or has come to it.
 PARADT_DEF void paradt_dynamic_get_update(const paradt_dynamic *d, paradt_dynamic_update *update);
 
 // Fills the vertices and neighbours of a cell. Returns 1, or 0 if the number is of no cell.
@@ -1281,6 +1283,7 @@ PARADT_DEF const double *paradt_dynamic_point(const paradt_dynamic *d, paradt_in
 PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, paradt_index id);
 
 // Returns the number of cells that have a vertex, and fills the first `capacity` of them. 0 for what is no vertex.
+// Cost: linear in the number; memory is taken, for the time of the call, where that is more than 256.
 PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity);
 
 #ifndef PARADT_NO_LOCATOR
@@ -1530,7 +1533,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph, >>conflict rounds; >>lifted hull; >>hull of
 //                       points to >>hull
 //     queries           >>mesh, >>scene; >>given triangulation, >>location to >>locator
-//     living sets       >>mesh, >>scene, >>insertion; >>holes of vertices to >>living set
+//     living sets       >>mesh, >>scene, >>insertion; >>holes of vertices to >>living set (for >>past of a living set
+//                       flips, tree)
 //     Voronoi diagrams  >>given triangulation, >>diagram to >>Voronoi faces; where walls are, >>planes of a cell to
 //                       >>clipping
 //
@@ -1572,7 +1576,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    296   dig and star, in any dimension
+//     insertion                    298   dig and star, in any dimension
 //     kept spheres                 667   conflict tests by one product, in two and three dimensions
 //     digging by spheres           298   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
@@ -1591,8 +1595,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     nodes                         65   the memory of all cells ever made
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      131   the dag of all cells, by which points are located
-//     insertion by flips           308   search, split, collect, flip
-//     Delaunay tree                296   location by the cells that there were
+//     insertion by flips           381   search, split, collect, flip
+//     Delaunay tree                306   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                       106   cells that are not a region's own alone
@@ -1629,9 +1633,12 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     locator                      644   the entry of queries
 //     holes of vertices            382   the hole where a vertex goes, and wrapping it
 //     filling holes                391   what fills it
-//     state of a living set        698   columns, journal, hidden and coincident points
-//     changes of a living set      692   one point comes, goes or moves; the set anew
-//     living set                   634   the entry
+//     past of a living set         243   location by all cells that there were
+//     state of a living set        428   columns, hidden and coincident points
+//     journal of a living set      337   how changes are noted and undone
+//     changes of a living set      455   one point comes, goes or moves
+//     making a living set          262   the set anew
+//     living set                   665   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
 //     Voronoi vertices             157   centres of cells, and their errors
@@ -6892,8 +6899,8 @@ PARADT__INLINE void paradt__sides_in_plane(const paradt__scene *scene, const par
 }
 
 // The facet of a cell that a walk crosses to get to x; -1: x is in the cell, and *inside has a bit for each vertex with
-// x strictly on its side of the facet opposite. from: the facet it came through, which x is strictly inside of; -1: none.
-// In the plane and in space it is the facet that has x farthest beyond it, as a part of the cell's height.
+// x strictly on its side of the facet opposite. from: the facet it came through, which x is strictly inside of; -1:
+// none. In the plane and in space it is the facet that has x farthest beyond it, as a part of the cell's height.
 PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell, const double *x, int from,
                                          unsigned *inside, int corners) {
     const paradt_index *row = scene->mesh.vertices + (size_t)cell * (size_t)corners;
@@ -9717,8 +9724,10 @@ struct paradt__insertion;
 
 // Is told of each cavity when it has been dug, before it is starred: update.killed and the rim are filled, and the mesh
 // is still as it was. It makes the room that starring takes, so that nothing fails afterwards, or says why not.
+// A point that is inserted by flips makes a cavity with each of them, and `filled` is told of their cells, too.
 typedef struct paradt__witness {
     paradt_status (*dug)(struct paradt__witness *witness, struct paradt__insertion *build);
+    void (*filled)(struct paradt__witness *witness, struct paradt__insertion *build);
 } paradt__witness;
 
 // An insertion of points, from its first cells on
@@ -14162,7 +14171,7 @@ PARADT__INLINE paradt_status paradt__nodes_room(paradt__nodes *nodes, size_t mor
 // beyond a facet of the cell, and empty where p is in the cell and no vertex yet: then the flip inserts p.
 // After Lawson, "Properties of n-dimensional triangulations", Computer Aided Geometric Design 3, 1986; the circuits and
 // their links: de Loera, Rambau, Santos, "Triangulations", 2010, section 4.4.
-// Doors: paradt__flipper_*, paradt__flip_sign, paradt__flip_collect, paradt__flip.
+// Doors: paradt__flipper_*, paradt__flip_sign, paradt__flip_collect, paradt__flip_room, paradt__flip.
 
 // The signs of a cell's coefficients, a bit for each place in its row. Both masks are 0 where no flip is wanted.
 typedef struct paradt__signs {
@@ -14536,7 +14545,8 @@ PARADT__INLINE paradt_index paradt__history_locate(const paradt__nodes *h, parad
 // moves heights alone, as if the lifted points were in general position, so that this holds in degenerate places, too.
 //
 // What is known of a cell is kept beside its place, as long as p is the same: each is asked once, from whatever facet.
-// Doors: paradt__insert_by_flips.
+// Doors: struct paradt__flips, paradt__flips_free, paradt__flips_room, paradt__flips_find, paradt__flips_insert,
+// paradt__flips_build, paradt__insert_by_flips.
 
 // What is kept with a place
 typedef struct paradt__flip_place {
@@ -14559,9 +14569,9 @@ typedef struct paradt__flips {
 } paradt__flips;
 
 // Makes room for so many new cells in the history and in the list of facets, and keeps something with all places.
-static paradt_status paradt__flips_room(paradt__flips *f, size_t made) {
-    paradt__memory *memory = f->flipper.build.memory;
-    size_t capacity = f->flipper.build.scene.mesh.capacity;
+static paradt_status paradt__flips_room(paradt__flips *f, const paradt__mesh *mesh, size_t made,
+                                        paradt__memory *memory) {
+    size_t capacity = mesh->capacity;
     paradt_status status = paradt__nodes_room(&f->history, made, memory);
     if (!status)
         status = paradt__list_room(&f->facets.items, f->facets.count, &f->facets.capacity, f->facets.count + 2 * made,
@@ -14596,7 +14606,8 @@ PARADT__INLINE void paradt__flips_bury(paradt__flips *f, paradt_index handle, in
 PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners) {
     const paradt__update *update = &f->flipper.build.update;
     const size_t positive = (size_t)f->flipper.positive, each = (size_t)f->flipper.negative + 1;
-    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_status status =
+        paradt__flips_room(f, &f->flipper.build.scene.mesh, update->made_count, f->flipper.build.memory);
     size_t i, j;
     for (i = 0; i < f->flipper.star.count && !status; i++) {
         paradt_index parent = f->at[update->killed[i * each] / corners].node;
@@ -14610,12 +14621,45 @@ PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners)
 static paradt_status paradt__flips_record_star(paradt__flips *f) {
     const paradt__update *update = &f->flipper.build.update;
     int corners = f->flipper.build.scene.mesh.corners;
-    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_status status =
+        paradt__flips_room(f, &f->flipper.build.scene.mesh, update->made_count, f->flipper.build.memory);
     paradt_index parent = f->at[update->killed[0] / corners].node;
     size_t i;
     for (i = 0; i < update->killed_count && !status; i++) paradt__flips_bury(f, update->killed[i], corners);
     for (i = 0; i < update->made_count && !status; i++) paradt__flips_enter(f, update->made[i], parent, corners);
     return status;
+}
+
+// Tells the witness of a flip that has been collected: what it kills, and the rim of that. Makes the room that the
+// flip itself takes; that of the history is the witness' to make.
+static paradt_status paradt__flips_tell(paradt__flips *f, int corners) {
+    paradt__insertion *build = &f->flipper.build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t each = (size_t)f->flipper.negative + 1, i, j;
+    paradt_index handle;
+    paradt_status status = paradt__flip_room(&f->flipper);
+    if (!status)
+        status = paradt__list_room(&build->rim, 0, &build->rim_capacity, f->flipper.star.count * each * (size_t)corners,
+                                   build->memory);
+    if (status) return status;
+    update->killed_count = build->rim_count = 0;
+    for (i = 0; i < f->flipper.star.count; i++) {
+        const unsigned char *places = f->flipper.places + i * (size_t)corners;
+        paradt_index base = f->flipper.star.items[i] * corners;
+        update->killed[update->killed_count++] = base;
+        for (j = 0; j + 1 < each; j++) update->killed[update->killed_count++] = mesh->links[base + places[j]];
+    }
+    for (i = 0; i < update->killed_count; i++) mesh->marks[update->killed[i] / corners] |= PARADT__CONFLICT;
+    for (i = 0; i < update->killed_count; i++) {
+        paradt_index base = update->killed[i] - update->killed[i] % corners;
+        for (handle = base; handle < base + corners; handle++)
+            if (!(mesh->marks[mesh->links[handle] / corners] & PARADT__CONFLICT))
+                build->rim[build->rim_count++] = handle;
+    }
+    for (i = 0; i < update->killed_count; i++)
+        paradt__mesh_unmark(mesh, (size_t)(update->killed[i] / corners), PARADT__CONFLICT);
+    return build->witness->dug(build->witness, build);
 }
 
 // Flips the cell and p, if that can be done.
@@ -14624,8 +14668,11 @@ PARADT__INLINE paradt_status paradt__flips_try(paradt__flips *f, paradt_index ce
     int possible;
     paradt_status status = paradt__flip_collect(&f->flipper, cell, point, signs, corners, &possible);
     if (status || !possible) return status;
-    status = paradt__flip(&f->flipper, corners);
+    if (f->flipper.build.witness) status = paradt__flips_tell(f, corners);
+    if (!status) status = paradt__flip(&f->flipper, corners);
     if (!status) status = paradt__flips_record(f, corners);
+    if (!status && f->flipper.build.witness)
+        f->flipper.build.witness->filled(f->flipper.build.witness, &f->flipper.build);
     f->counts[f->flipper.negative + 1]++;
     f->steps++;
     if (!status) PARADT__VERIFY_SMALL(&f->flipper.build.scene.mesh, 1, PARADT__CONFLICT);
@@ -14724,26 +14771,43 @@ static paradt_status paradt__flips_see(paradt__flips *f, paradt_index first, con
 static paradt_status paradt__flips_connect(paradt__flips *f, paradt_index first, paradt_index point) {
     paradt__insertion *build = &f->flipper.build;
     paradt_status status = paradt__flips_see(f, first, paradt__scene_record(&build->scene, point));
+    if (!status && build->witness) status = build->witness->dug(build->witness, build);
     if (!status) status = paradt__cavity_star(build, point);
     if (!status) status = paradt__flips_record_star(f);
     if (!status) status = paradt__cavity_clear(build);
+    if (!status && build->witness) build->witness->filled(build->witness, build);
     if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
     return status;
 }
 
-// Inserts a point, but for the flips of its link's facets.
-PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_index point, int corners) {
-    paradt__scene *scene = &f->flipper.build.scene;
-    const double *x = paradt__scene_record(scene, point);
+// Finds the cell or ghost that contains x, and makes it the recent one.
+PARADT__INLINE paradt_index paradt__flips_find(paradt__flips *f, paradt__scene *scene, const double *x, int corners) {
     paradt_index start = -1 - paradt__history_node(&f->history, f->recent)[PARADT__NODE_CHILD];
     paradt_index cell = paradt__history_locate(&f->history, scene, f->recent, x, corners);
     if (cell < 0) cell = paradt__walk(scene, start, x);
     f->recent = f->at[cell].node;
+    return cell;
+}
+
+// Inserts a point that a cell contains, but for the flips of its link's facets.
+PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_index point, paradt_index cell,
+                                                       int corners) {
+    paradt__scene *scene = &f->flipper.build.scene;
     if (paradt__ghost_place(paradt__mesh_row(&scene->mesh, cell), corners) >= 0)
         return paradt__flips_connect(f, cell, point);
     if (scene->space.weighted && !paradt__flips_ask(f, cell, point)->signs.negative) return PARADT_OK; // hidden
     paradt__flips_sign(f, cell, point, corners);
     return paradt__flips_try(f, cell, point, f->at[cell].signs, corners);
+}
+
+// Inserts a point that the cell contains and is in conflict with, with all that follows.
+PARADT__OPTIONAL paradt_status paradt__flips_insert(paradt__flips *f, paradt_index point, paradt_index cell) {
+    const int corners = f->flipper.build.scene.mesh.corners;
+    paradt_status status;
+    f->facets.count = 0;
+    status = paradt__flips_begin_point(f, point, cell, corners);
+    while (f->facets.count && !status) status = paradt__flips_next(f, point, corners);
+    return status;
 }
 
 // Inserts the points after the first ones.
@@ -14754,7 +14818,8 @@ PARADT__INLINE paradt_status paradt__flips_go_any(paradt__flips *f, const paradt
     uint64_t next = 0;
     while (build->inserted < build->count && !status) {
         paradt_index point = paradt__insertion_point(build, build->inserted);
-        status = paradt__flips_begin_point(f, point, corners);
+        paradt_index cell = paradt__flips_find(f, &build->scene, paradt__scene_record(&build->scene, point), corners);
+        status = paradt__flips_begin_point(f, point, cell, corners);
         for (;;) {
             if (f->steps + build->inserted >= next) {
                 next = f->steps + build->inserted + PACE;
@@ -14788,37 +14853,54 @@ static paradt_status paradt__flips_begin(paradt__flips *f) {
     if (status) return status;
     build->inserted = corners;
     f->history.width = (corners + PARADT__NODE_VERTICES) * sizeof(paradt_index);
-    status = paradt__flips_room(f, corners + 1);
+    status = paradt__flips_room(f, mesh, corners + 1, build->memory);
     for (place = 0; place < mesh->count && !status; place++)
         f->at[place].node = paradt__history_add(&f->history, PARADT__OPEN, (paradt_index)place,
                                                 mesh->vertices + place * corners, mesh->corners);
     return status;
 }
 
+// Frees all but the mesh.
+static void paradt__flips_free(paradt__flips *f) {
+    paradt__memory *memory = f->flipper.build.memory;
+    paradt__nodes_free(&f->history, memory);
+    paradt__list_free(&f->facets, memory);
+    paradt__release(memory, f->at);
+    f->at = NULL;
+    paradt__flipper_rest(&f->flipper);
+}
+
 // Makes the closed mesh of a set, whose points are along a curve, by flips. Vertices are positions in the set. After an
-// error the mesh is empty. stats: history_nodes and flips are filled.
+// error the mesh is empty. f: filled; the caller frees it, in any case. counts: of flips
+static paradt_status paradt__flips_build(paradt__flips *f, const paradt__set *set, paradt__memory *memory,
+                                         paradt__mesh *mesh, const paradt__progress *progress,
+                                         paradt__counters *counters, uint64_t *counts) {
+    paradt__insertion *build = &f->flipper.build;
+    paradt_index *order = paradt__round_order(set->count, memory);
+    paradt_status status;
+    memset(f, 0, sizeof *f);
+    build->memory = memory;
+    if (!order) return PARADT_ERROR_MEMORY;
+    f->counts = counts;
+    paradt__insertion_begin(build, set, order, memory);
+    status = paradt__flips_begin(f);
+    if (!status) status = paradt__flips_go(f, progress);
+    *counters = build->scene.space.counters;
+    paradt__release(memory, order);
+    build->order = NULL;
+    *mesh = build->scene.mesh;
+    if (status) paradt__mesh_free(mesh, memory);
+    return status;
+}
+
+// The same for who wants the mesh alone. stats: history_nodes and flips are filled
 PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
                                                   const paradt__progress *progress, paradt__counters *counters,
                                                   paradt_stats *stats) {
     paradt__flips f;
-    paradt__insertion *build = &f.flipper.build;
-    paradt_index *order = paradt__round_order(set->count, memory);
-    paradt_status status;
-    if (!order) return PARADT_ERROR_MEMORY;
-    memset(&f, 0, sizeof f);
-    f.counts = stats->flips;
-    paradt__insertion_begin(build, set, order, memory);
-    status = paradt__flips_begin(&f);
-    if (!status) status = paradt__flips_go(&f, progress);
+    paradt_status status = paradt__flips_build(&f, set, memory, mesh, progress, counters, stats->flips);
     stats->history_nodes = f.history.count;
-    *counters = build->scene.space.counters;
-    paradt__nodes_free(&f.history, memory);
-    paradt__list_free(&f.facets, memory);
-    paradt__release(memory, f.at);
-    paradt__flipper_rest(&f.flipper);
-    paradt__release(memory, order);
-    *mesh = build->scene.mesh;
-    if (status) paradt__mesh_free(mesh, memory);
+    paradt__flips_free(&f);
     return status;
 }
 #endif // PARADT_NO_FLIPS
@@ -14849,7 +14931,8 @@ PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt
 // The tree hangs on a scene by its updates: paradt__tree_locate finds a cell, whoever changes the mesh hands the update
 // to paradt__tree_record. Between the two `at` names the node of each live cell. A node takes 4 (corners + 7) bytes,
 // 44 in space, with 32-bit indices; there are about dim + 1 of them for each cell that lives in the end.
-// Door: paradt__delaunay_tree.
+// Doors: struct paradt__tree, paradt__tree_at, paradt__tree_room, paradt__tree_locate, paradt__tree_record,
+// paradt__tree_free, paradt__tree_build, paradt__delaunay_tree.
 
 // A node; behind it stands its row, the vertices of the cell, positively oriented. In a ghost ~v stands for the
 // infinite vertex, where v is the vertex opposite the ghost's facet in the cell that was behind it then. PARADT__OPEN
@@ -14891,7 +14974,7 @@ static void paradt__tree_free(paradt__tree *tree) {
 // Makes room for so many more nodes, and for the node at each place of the mesh.
 static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *mesh, size_t more) {
     void *at = tree->at;
-    if (!PARADT__LIKELY(mesh->count <= tree->places)) {
+    if (!PARADT__LIKELY(mesh->capacity <= tree->places)) {
         if (!paradt__grow(tree->memory, &at, tree->places, mesh->capacity, sizeof *tree->at))
             return PARADT_ERROR_MEMORY;
         tree->at = (paradt_index *)at;
@@ -14996,7 +15079,8 @@ static paradt_status paradt__tree_descend(paradt__tree *tree, paradt__scene *sce
     return status;
 }
 
-// The thesis' `location`: finds a cell in conflict with x, or PARADT__NOWHERE: there is none. start: a cell to begin at
+// The thesis' `location`: finds a cell in conflict with x, or PARADT__NOWHERE: there is none, as x is hidden, or may be
+// where a vertex is. start: a cell to begin at
 static paradt_status paradt__tree_locate(paradt__tree *tree, paradt__scene *scene, paradt_index start, const double *x,
                                          paradt_index *found) {
     paradt_status status = PARADT_OK;
@@ -15008,7 +15092,6 @@ static paradt_status paradt__tree_locate(paradt__tree *tree, paradt__scene *scen
         status = paradt__tree_descend(tree, scene, node, x, found);
     for (i = 0; i < tree->roots && *found == PARADT__NOWHERE && !status; i++)
         status = paradt__tree_descend(tree, scene, (paradt_index)i, x, found);
-    PARADT_ASSERT(*found != PARADT__NOWHERE || scene->space.weighted || status);
     return status;
 }
 
@@ -15087,34 +15170,43 @@ PARADT__HOT paradt_status paradt__tree_insert_all(paradt__tree *tree, paradt__in
                 return PARADT_ERROR_CANCELLED;
         }
         status = paradt__tree_locate(tree, &build->scene, paradt__tree_start(build, x), x, &cell);
+        PARADT_ASSERT(status || cell != PARADT__NOWHERE || build->scene.space.weighted);
         if (!status) status = paradt__insert_next(build, cell);
         if (!status) status = paradt__tree_record(tree, build, point);
     }
     return status;
 }
 
-// Makes the closed mesh of a set as paradt__bowyer_watson does. stats: history_nodes is filled
-PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
-                                                const paradt__progress *progress, paradt__counters *counters,
-                                                paradt_stats *stats) {
+// Makes the closed mesh of a set as paradt__bowyer_watson does. tree: filled; the caller frees it, in any case
+static paradt_status paradt__tree_build(paradt__tree *tree, const paradt__set *set, paradt__memory *memory,
+                                        paradt__mesh *mesh, const paradt__progress *progress,
+                                        paradt__counters *counters) {
     paradt__insertion build;
-    paradt__tree tree;
     paradt_index *order = paradt__round_order(set->count, memory);
     paradt_status status;
+    memset(tree, 0, sizeof *tree);
+    tree->memory = memory;
     if (!order) return PARADT_ERROR_MEMORY;
     paradt__insertion_begin(&build, set, order, memory);
     status = paradt__insertion_first(&build);
-    if (!status) {
-        status = paradt__tree_begin(&tree, &build.scene.mesh, memory);
-        if (!status) status = paradt__tree_insert_all(&tree, &build, progress);
-        stats->history_nodes = tree.nodes.count;
-        paradt__tree_free(&tree);
-    }
+    if (!status) status = paradt__tree_begin(tree, &build.scene.mesh, memory);
+    if (!status) status = paradt__tree_insert_all(tree, &build, progress);
     *counters = build.scene.space.counters;
     paradt__insertion_rest(&build);
     paradt__release(memory, order);
     *mesh = build.scene.mesh;
     if (status) paradt__mesh_free(mesh, memory);
+    return status;
+}
+
+// The same for who wants the mesh alone. stats: history_nodes is filled
+PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
+                                                const paradt__progress *progress, paradt__counters *counters,
+                                                paradt_stats *stats) {
+    paradt__tree tree;
+    paradt_status status = paradt__tree_build(&tree, set, memory, mesh, progress, counters);
+    stats->history_nodes = tree.nodes.count;
+    paradt__tree_free(&tree);
     return status;
 }
 #endif
@@ -18119,7 +18211,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 //
 // One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
 // Doors: paradt__method_of, paradt__choose_method, paradt__wanted_method, paradt__plan, paradt__build_mesh,
-// paradt__build_trivial, paradt__release_helpers.
+// paradt__build_trivial, paradt__grade_for_insertion, paradt__release_helpers.
 
 #ifndef PARADT_NO_REGIONS
 // --- do regions pay?
@@ -24838,6 +24930,249 @@ static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>past of a living set
+//
+// What is kept of all cells that there were, for a living set whose points are located by them: the Delaunay tree or
+// the history dag. Its points only come. What is kept hangs on positions, which stay what they are until the set is
+// made anew; then this is, too: where the dimension changes, where many points come at once, and where a point comes to
+// the place of a lighter one, as the records of dead cells' vertices are still asked for.
+//
+// Nodes are numbered as they come. So those of a change that is undone are the last ones, and they come first among
+// the sons and the stepsons of nodes before them.
+// Doors: paradt__past_*.
+
+typedef struct paradt__past {
+    paradt_method method; // PARADT_AUTO: nothing is kept
+    size_t before;        // nodes when the change began
+    paradt__list killed;  // nodes of the cells that were there then, in the order in which the change killed them
+#ifndef PARADT_NO_TREE
+    paradt__tree tree;
+#endif
+#ifndef PARADT_NO_FLIPS
+    paradt__flips flips; // its insertion is that of the set, which is lent to it for each point
+    uint64_t counts[PARADT_MAX_DIM + 2];
+#endif
+} paradt__past;
+
+// Can points be located that way?
+static int paradt__past_is_possible(paradt_method method) {
+#ifndef PARADT_NO_TREE
+    if (method == PARADT_DELAUNAY_TREE) return 1;
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (method == PARADT_FLIP) return 1;
+#endif
+    return method == PARADT_AUTO;
+}
+
+#ifndef PARADT_NO_FLIPS
+// Takes back the insertion that flips have been lent.
+static void paradt__past_take_back(paradt__past *past, paradt__insertion *build) {
+    *build = past->flips.flipper.build;
+    memset(&past->flips.flipper.build, 0, sizeof *build);
+}
+#endif
+
+// Says whose memory it is, after the set has moved.
+static void paradt__past_own(paradt__past *past, paradt__memory *memory) {
+#ifndef PARADT_NO_TREE
+    past->tree.memory = memory;
+#endif
+#ifndef PARADT_NO_FLIPS
+    past->flips.flipper.build.memory = memory;
+    past->flips.counts = past->counts;
+#endif
+    (void)past;
+    (void)memory;
+}
+
+static void paradt__past_free(paradt__past *past, paradt__memory *memory) {
+    paradt__past_own(past, memory);
+#ifndef PARADT_NO_TREE
+    paradt__tree_free(&past->tree);
+#endif
+#ifndef PARADT_NO_FLIPS
+    paradt__flips_free(&past->flips);
+#endif
+    paradt__list_free(&past->killed, memory);
+}
+
+// Builds the mesh of a set, and what is kept of it. past: zero but for the method
+static paradt_status paradt__past_build(paradt__past *past, paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status = PARADT_OK;
+    if (past->method == PARADT_AUTO || work->set.space.dim <= 0) return paradt__build_mesh(work);
+    if (past->method == PARADT_DELAUNAY_TREE) status = paradt__grade_for_insertion(work);
+    if (status) return status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    memset(&counters, 0, sizeof counters);
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE)
+        status = paradt__tree_build(&past->tree, &work->set, &work->memory, &work->mesh, &progress, &counters);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        status = paradt__flips_build(&past->flips, &work->set, &work->memory, &work->mesh, &progress, &counters,
+                                     past->counts);
+        paradt__insertion_rest(&past->flips.flipper.build);
+        memset(&past->flips.flipper.build, 0, sizeof past->flips.flipper.build);
+        past->flips.flipper.build.memory = &work->memory;
+    }
+#endif
+    (void)progress;
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+
+// The number of nodes, or NULL: nothing is kept
+static size_t *paradt__past_nodes(paradt__past *past) {
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) return &past->tree.nodes.count;
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) return &past->flips.history.count;
+#endif
+    (void)past;
+    return NULL;
+}
+
+// Begins a change.
+static void paradt__past_begin(paradt__past *past) {
+    const size_t *nodes = paradt__past_nodes(past);
+    past->before = nodes ? *nodes : 0;
+    past->killed.count = 0;
+}
+
+// Makes room for killing and making so many cells of a mesh, which has room for them.
+static paradt_status paradt__past_room(paradt__past *past, const paradt__mesh *mesh, size_t killed, size_t made,
+                                       paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    if (past->method == PARADT_AUTO) return PARADT_OK;
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) status = paradt__tree_room(&past->tree, mesh, made);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) status = paradt__flips_room(&past->flips, mesh, made, memory);
+#endif
+    if (status) return status;
+    return paradt__list_room(&past->killed.items, past->killed.count, &past->killed.capacity,
+                             past->killed.count + killed, memory);
+}
+
+// Is told that a cell, which was there before the change, is about to die.
+static void paradt__past_kill(paradt__past *past, paradt_index place) {
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) past->killed.items[past->killed.count++] = past->tree.at[place];
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) past->killed.items[past->killed.count++] = past->flips.at[place].node;
+#endif
+    (void)past;
+    (void)place;
+}
+
+// Gives the cell that is number `at` of those killed its place again. Cells made since are gone.
+static void paradt__past_revive(paradt__past *past, size_t at, paradt_index place) {
+    paradt_index node = past->killed.items[at];
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) {
+        past->tree.at[place] = node;
+        paradt__tree_at(&past->tree, node)->place = place;
+    }
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        past->flips.at[place].node = node;
+        paradt__history_node(&past->flips.history, node)[PARADT__NODE_CHILD] = -1 - place;
+    }
+#endif
+    (void)node;
+    (void)place;
+}
+
+#ifndef PARADT_NO_TREE
+// Takes the nodes from `before` on out of the lists of those before them.
+static void paradt__tree_cut(const paradt__tree *tree, size_t before) {
+    size_t i;
+    for (i = 0; i < before; i++) {
+        paradt__tree_node *node = paradt__tree_at(tree, (paradt_index)i);
+        while (node->son >= (paradt_index)before) node->son = paradt__tree_at(tree, node->son)->brother;
+        while (node->stepson >= (paradt_index)before) node->stepson = paradt__tree_at(tree, node->stepson)->stepbrother;
+    }
+}
+#endif
+
+// Undoes a change, but for what paradt__past_revive does afterwards.
+static void paradt__past_undo(paradt__past *past) {
+    size_t *nodes = paradt__past_nodes(past);
+    if (!nodes) return;
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) paradt__tree_cut(&past->tree, past->before);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) { // positions may be others' later, and what was asked of them is no answer then
+        size_t i;
+        for (i = 0; i < past->flips.places; i++) past->flips.at[i].asked = 0;
+    }
+#endif
+    *nodes = past->before;
+}
+
+// Says after undoing that a cell lives, from which searches may start.
+static void paradt__past_restart(paradt__past *past, paradt_index cell) {
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) past->flips.recent = past->flips.at[cell].node;
+#endif
+    (void)past;
+    (void)cell;
+}
+
+// Finds a cell for x: by the tree one in conflict, or if x is where a vertex is one that has it; by the history the one
+// that contains x; or PARADT__NOWHERE where the tree knows of none, as x is hidden or where a vertex is. start: a cell
+static paradt_status paradt__past_locate(paradt__past *past, paradt__scene *scene, paradt_index start, const double *x,
+                                         paradt_index *found) {
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        past->flips.recent = past->flips.at[start].node;
+        *found = paradt__flips_find(&past->flips, scene, x, scene->mesh.corners);
+        return PARADT_OK;
+    }
+#endif
+#ifndef PARADT_NO_TREE
+    return paradt__tree_locate(&past->tree, scene, start, x, found);
+#else
+    (void)past;
+    (void)scene;
+    (void)x;
+    *found = start;
+    return PARADT_OK;
+#endif
+}
+
+// Inserts a point, with which `cell` is in conflict: for the history it also contains the point.
+static paradt_status paradt__past_insert(paradt__past *past, paradt__insertion *build, paradt_index point,
+                                         paradt_index cell) {
+    paradt_status status;
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        past->flips.flipper.build = *build;
+        status = paradt__flips_insert(&past->flips, point, cell);
+        paradt__past_take_back(past, build);
+        build->scene.hint = -1 - paradt__history_node(&past->flips.history, past->flips.recent)[PARADT__NODE_CHILD];
+        return status;
+    }
+#endif
+    status = build->kept ? paradt__insert_one_more(build, point, cell) : paradt__insert_at(build, point, cell);
+#ifndef PARADT_NO_TREE
+    if (!status && past->method == PARADT_DELAUNAY_TREE) status = paradt__tree_record(&past->tree, build, point);
+#endif
+    (void)past;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>state of a living set
 //
 // What a living set keeps, and how changes of it are undone.
@@ -24852,14 +25187,9 @@ static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion 
 // A hidden point hangs on a cell that it is in. When cells die their hidden points are walked to the cells that come
 // instead, or have become vertices. Hidden places are found by a hash of their coordinates, others by the walk.
 //
-// A change begins with paradt__living_begin, and ends with paradt__living_publish or paradt__living_undo. In between,
-// paradt__living_prepare is told of each hole before it is filled, and paradt__living_settle afterwards. The journal
-// has the rows of cells that were there when the change began, each once, links between two such cells that were cut,
-// and what was in columns and records. A cell made by the change has the mark PARADT__FRESH.
-//
 // The box of the space is that of all points that ever were, and more: a point outside doubles it on that side, so that
 // it is seldom measured anew.
-// Doors: paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__mesh_has, PARADT__VERIFY_LIVING.
+// Doors: struct paradt_dynamic, paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__list_more, paradt__mesh_has.
 
 enum {
     // by id
@@ -24899,6 +25229,7 @@ struct paradt_dynamic {
     paradt__filling filling;
     paradt__starts starts; // where searches start
     size_t starts_for;     // number of vertices when they were made; 0: they were not
+    paradt__past past;     // what points are located by
     int ambient, weighted;
     int dim;                  // of the points; -1: there are none
     int axes[PARADT_MAX_DIM]; // the caller's axis that each coordinate of a record is along
@@ -25012,6 +25343,7 @@ static void paradt__living_free(paradt_dynamic *d) {
     paradt__insertion_end(&d->build);
     paradt__filling_free(&d->filling, memory);
     paradt__starts_free(&d->starts, memory);
+    paradt__past_free(&d->past, memory);
     for (column = 0; column < PARADT__COLUMNS; column++) paradt__release(memory, d->column[column]);
     paradt__release(memory, d->records);
     paradt__release(memory, d->plain);
@@ -25268,7 +25600,20 @@ PARADT__INLINE int paradt__mesh_has(const paradt__mesh *mesh, paradt_index place
     return has && row[0] != PARADT__DEAD;
 }
 
-// --- changes of the mesh
+// ---------------------------------------------------------------------------------------------------------------------
+// >>journal of a living set
+//
+// How changes of a living set are noted and undone.
+//
+// A change begins with paradt__living_begin, and ends with paradt__living_publish or paradt__living_undo. In between,
+// paradt__living_prepare is told of each hole before it is filled, and paradt__living_settle afterwards. The journal
+// has the rows of cells that were there when the change began, each once, links between two such cells that were cut,
+// and what was in columns and records. A cell made by the change has the mark PARADT__FRESH.
+//
+// Flips make a hole each. Between them the mesh is no T(P), in which one could walk; so hidden places and vertices that
+// may be hidden are collected from all of them, and settled after the last.
+// Doors: paradt__living_begin, paradt__living_publish, paradt__living_undo, paradt__living_prepare,
+// paradt__living_settle, paradt__living_watch, PARADT__VERIFY_LIVING.
 
 // Makes room for all that replacing the cells of a hole takes. made: number of new cells
 static paradt_status paradt__living_mesh_room(paradt_dynamic *d, size_t made) {
@@ -25284,6 +25629,7 @@ static paradt_status paradt__living_mesh_room(paradt_dynamic *d, size_t made) {
     if (!status) status = paradt__list_more(&d->made, made, &d->memory);
     if (!status) status = paradt__list_more(&d->killed, killed * (1 + 2 * corners), &d->memory);
     if (!status) status = paradt__list_more(&d->torn, 2 * build->rim_count, &d->memory);
+    if (!status) status = paradt__past_room(&d->past, mesh, killed, made, &d->memory);
     if (!status) status = paradt__list_more(&d->killed_numbers, killed, &d->memory);
     if (!status) status = paradt__list_more(&d->killed_vertices, killed * corners, &d->memory);
     if (!status && d->weighted && mesh->capacity > d->hung_room) {
@@ -25330,7 +25676,7 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
     paradt_index corners = mesh->corners;
     size_t i, j, row = (size_t)corners;
     paradt_status status = paradt__living_mesh_room(d, made);
-    d->loose.count = d->suspects.count = 0;
+    if (d->past.method != PARADT_FLIP) d->loose.count = d->suspects.count = 0;
     for (i = 0; i < build->update.killed_count && d->weighted && !status; i++)
         status = paradt__living_loosen(d, paradt__mesh_cell(mesh, build->update.killed[i]));
     if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
@@ -25362,15 +25708,12 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
         memcpy(to + 1, mesh->vertices + place * corners, row * sizeof *to);
         memcpy(to + 1 + corners, mesh->links + place * corners, row * sizeof *to);
         d->killed.count += 1 + 2 * row;
+        paradt__past_kill(&d->past, place);
         if (!finite) continue;
         d->killed_numbers.items[d->killed_numbers.count++] = place;
         for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = to[j];
     }
     return PARADT_OK;
-}
-
-static paradt_status paradt__living_dug(paradt__witness *witness, paradt__insertion *build) {
-    return paradt__living_prepare((paradt_dynamic *)(void *)witness, build->rim_count);
 }
 
 // Finds out which places are hidden now. gone: a position that is no vertex any more, or PARADT__NOWHERE; start: where
@@ -25403,8 +25746,8 @@ static void paradt__living_settle_hidden(paradt_dynamic *d, paradt_index gone, p
     }
 }
 
-// After a hole has been filled: marks the new cells, and finds out what has become of vertices and hidden places.
-static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
+// Marks the new cells that fill a hole.
+static void paradt__living_mark(paradt_dynamic *d) {
     const paradt__update *update = &d->build.update;
     const paradt__mesh *mesh = &d->build.scene.mesh;
     paradt_index corners = mesh->corners, *cell = d->column[PARADT__CELL], i;
@@ -25419,7 +25762,38 @@ static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
             if (row[i] >= 0) cell[row[i]] = place;
         }
     }
-    if (d->weighted) paradt__living_settle_hidden(d, gone, paradt__mesh_cell(mesh, update->made[0]));
+}
+
+// After a hole has been filled: marks the new cells, and finds out what has become of vertices and hidden places.
+static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
+    if (d->past.method != PARADT_FLIP) paradt__living_mark(d); // flips have told of theirs
+    if (!d->weighted) return;
+    paradt__living_settle_hidden(d, gone, paradt__mesh_cell(&d->build.scene.mesh, d->build.update.made[0]));
+}
+
+// --- the witness. Flips work on a copy of the set's insertion, which goes back and forth.
+
+static paradt_status paradt__living_dug(paradt__witness *witness, paradt__insertion *build) {
+    paradt_dynamic *d = (paradt_dynamic *)(void *)witness;
+    paradt_status status;
+    if (build == &d->build) return paradt__living_prepare(d, build->rim_count);
+    d->build = *build;
+    status = paradt__living_prepare(d, build->rim_count);
+    *build = d->build;
+    return status;
+}
+
+static void paradt__living_filled(paradt__witness *witness, paradt__insertion *build) {
+    paradt_dynamic *d = (paradt_dynamic *)(void *)witness;
+    d->build = *build;
+    paradt__living_mark(d);
+}
+
+// Makes the set the witness of its own insertions.
+static void paradt__living_watch(paradt_dynamic *d) {
+    d->build.witness = &d->witness;
+    d->witness.dug = paradt__living_dug;
+    d->witness.filled = paradt__living_filled;
 }
 
 #if defined(PARADT_VERIFY)
@@ -25457,7 +25831,9 @@ static int paradt__living_is_sound(paradt_dynamic *d) {
 
 // steps: whether the change may be more than one insertion or removal
 static void paradt__living_begin(paradt_dynamic *d, int steps) {
-    d->steps = steps;
+    d->steps = steps || d->past.method == PARADT_FLIP;
+    paradt__past_begin(&d->past);
+    d->loose.count = d->suspects.count = 0;
     d->now.places = d->build.scene.mesh.count;
     d->before = d->now;
     d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
@@ -25508,6 +25884,9 @@ static void paradt__living_undo_mesh(paradt_dynamic *d) {
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = (size_t)mesh->corners, row = corners * sizeof(paradt_index), at, i;
     for (at = 0; at < d->made.count; at++) mesh->vertices[(size_t)d->made.items[at] * corners] = PARADT__DEAD;
+    paradt__past_undo(&d->past);
+    for (at = 0; at < d->past.killed.count; at++)
+        paradt__past_revive(&d->past, at, d->killed.items[at * (1 + 2 * corners)]);
     for (at = 0; at < d->killed.count; at += 1 + 2 * corners) {
         const paradt_index *saved = d->killed.items + at;
         memcpy(mesh->vertices + (size_t)saved[0] * corners, saved + 1, row);
@@ -25524,6 +25903,7 @@ static void paradt__living_undo_mesh(paradt_dynamic *d) {
         else d->build.scene.hint = (paradt_index)i;
     }
     memset(mesh->marks, 0, mesh->capacity);
+    paradt__past_restart(&d->past, d->build.scene.hint);
     if (d->build.kept) {
         paradt__kept_forget(&d->build);
         d->build.kept->start = d->build.scene.hint;
@@ -25560,13 +25940,13 @@ static void paradt__living_undo(paradt_dynamic *d) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>changes of a living set
 //
-// Inserting, removing and moving one point, within a change that may be more; and making a set anew.
+// Inserting, removing and moving one point, within a change that may be more.
 //
 // A step that would change the dimension of the points says PARADT__GAVE_UP: then the change is undone, and the set is
 // made anew, by the way of paradt_triangulate. That takes as long as creating the set. The dimension falls where a
 // point is removed off the flat that all others are in. Then all finite cells have this vertex: so only where they do
 // are the others looked at, and these are Q of >>holes of vertices.
-// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_make, paradt__living_start,
+// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_join, paradt__living_start,
 // paradt__living_make_starts.
 
 // --- the space
@@ -25661,9 +26041,10 @@ static paradt_status paradt__living_enter(paradt_dynamic *d, paradt_index positi
         paradt__living_set(d, PARADT__LAST_HIDDEN, position, PARADT__NOWHERE);
     }
     build->count = ++d->now.vertices;
-    status = build->kept ? paradt__insert_one_more(build, position, cell) : paradt__insert_at(build, position, cell);
+    status = paradt__past_insert(&d->past, build, position, cell);
     if (status) return status;
     paradt__living_settle(d, PARADT__NOWHERE);
+    d->loose.count = d->suspects.count = 0;
     return PARADT_OK;
 }
 
@@ -25770,6 +26151,7 @@ static paradt_status paradt__living_join(paradt_dynamic *d, paradt_index id, par
     paradt__living_set(d, PARADT__OWNER, position, root);
     if (root != id || !d->weighted) return PARADT_OK;
     if (paradt__bits(d->weights[id]) == paradt__bits(paradt__living_record(d, position)[d->ambient])) return PARADT_OK;
+    if (d->dim > 0 && d->past.method != PARADT_AUTO) return PARADT__GAVE_UP;
     return paradt__living_reweigh(d, position, d->weights[id]);
 }
 
@@ -25835,14 +26217,34 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
     }
 }
 
+// Finds the cell for a point: that it is in, or one in conflict with it that is good enough. *fresh: it is certain that
+// the place is no vertex's. hint, from: as below
+static paradt_status paradt__living_find(paradt_dynamic *d, const double *record, paradt_index hint, paradt_index from,
+                                         paradt_index *cell, int *fresh) {
+    paradt__scene *scene = &d->build.scene;
+    paradt_status status = PARADT_OK;
+    *fresh = 0;
+    *cell = PARADT__NOWHERE;
+    if (d->past.method != PARADT_AUTO) {
+        paradt_index near = from < 0 && hint >= 0 ? paradt__living_start(d, record, hint) : from;
+        if (near < 0) near = paradt__insertion_start(&d->build);
+        status = paradt__past_locate(&d->past, scene, near, record, cell);
+        if (status || (*cell != PARADT__NOWHERE && (!d->weighted || d->past.method == PARADT_FLIP))) return status;
+    }
+    if (*cell == PARADT__NOWHERE) *cell = from < 0 ? paradt__living_start(d, record, hint) : from;
+    if (PARADT_MAX_DIM >= 3 && d->build.kept && d->past.method == PARADT_AUTO)
+        *cell = paradt__living_reach(d, *cell, record, fresh);
+    else *cell = paradt__walk(scene, *cell, record);
+    return PARADT_OK;
+}
+
 // Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; from: a cell nearby,
 // or negative
 static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record, paradt_index hint,
                                            paradt_index from) {
-    paradt__scene *scene = &d->build.scene;
     paradt_index cell, position;
     paradt_status status;
-    int fresh = 0;
+    int fresh;
     if (d->dim < 0) return PARADT__GAVE_UP;
     if (d->dim == 0) { // there is one place, the first
         if (memcmp(record, d->records, (size_t)d->ambient * sizeof *record) != 0) return PARADT__GAVE_UP;
@@ -25850,9 +26252,8 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     }
     paradt__living_measure(d, record);
     if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
-    cell = from < 0 ? paradt__living_start(d, record, hint) : from;
-    if (PARADT_MAX_DIM >= 3 && d->build.kept) cell = paradt__living_reach(d, cell, record, &fresh);
-    else cell = paradt__walk(scene, cell, record);
+    status = paradt__living_find(d, record, hint, from, &cell, &fresh);
+    if (status) return status;
     paradt__living_start_at(d, cell);
     position = fresh ? PARADT__NOWHERE : paradt__living_vertex_at(d, cell, record);
     if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
@@ -25991,7 +26392,11 @@ static paradt_status paradt__living_move(paradt_dynamic *d, paradt_index id, con
                   : paradt__living_insert(d, id, record, -1, d->dim > 0 ? paradt__insertion_start(&d->build) : -1);
 }
 
-// --- a set anew
+// ---------------------------------------------------------------------------------------------------------------------
+// >>making a living set
+//
+// A set made by the way of paradt_triangulate: its mesh, its points as they are numbered, and what is kept besides.
+// Door: paradt__living_make.
 
 // Gives a mesh without ghosts its ghosts.
 static paradt_status paradt__living_ghosts(paradt__mesh *mesh, size_t hull, paradt__memory *memory) {
@@ -26166,8 +26571,7 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
     size_t hull;
     paradt_status status = PARADT_OK;
     d->build.memory = &d->memory;
-    d->build.witness = &d->witness;
-    d->witness.dug = paradt__living_dug;
+    paradt__living_watch(d);
     if (d->dim <= 0) {
         d->now.vertices = d->now.cells = d->now.positions;
         if (d->now.positions) d->column[PARADT__CELL][0] = 0;
@@ -26188,7 +26592,8 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
         status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
                                    &d->memory);
     d->build.count = d->now.vertices < KEPT_FOR ? d->now.vertices : (size_t)KEPT_FOR;
-    if (!status && PARADT__IS(d->dim, 3) && !d->weighted) status = paradt__kept_begin(&d->build);
+    if (!status && PARADT__IS(d->dim, 3) && !d->weighted && d->past.method != PARADT_FLIP)
+        status = paradt__kept_begin(&d->build);
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
     if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers &&
         !paradt__kept_more_numbers(&d->build, d->now.positions + 1))
@@ -26220,14 +26625,13 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     paradt_status status;
     size_t regions;
     memset(&out, 0, sizeof out);
-    options.method = PARADT_AUTO;
     options.flags = PARADT_FACETS;
     paradt__begin_call(&work, &stats, &out, points, &options);
     work.memory = d->memory;
     status = paradt__load(&work, points, &out);
     d->error_point = out.error_point;
     regions = work.regions;
-    if (!status) status = paradt__build_mesh(&work);
+    if (!status) status = paradt__past_build(&d->past, &work);
 #ifndef PARADT_NO_REGIONS
     if (!status && work.fields) { // one region may have taken over from the others
         work.regions = regions;
@@ -26240,6 +26644,7 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     if (work.delivered) work.mesh.spare_count = 0; // its gaps have been closed
     paradt__release(&work.memory, work.cuts.cut);
     d->memory = work.memory;
+    paradt__past_own(&d->past, &d->memory);
     d->build.scene.mesh = work.mesh;
     if (!status) status = paradt__living_adopt(d, &work, points, ids, id_count);
     if (!status) status = paradt__living_number(d, out.representative, points->count, ids, id_count);
@@ -26292,6 +26697,7 @@ static paradt_dynamic *paradt__living_new(const paradt_options *options, const p
     d->ambient = ambient;
     d->weighted = weighted;
     d->dim = -1;
+    d->past.method = options->method;
     d->build.memory = &d->memory;
     paradt__meter_begin(&d->meter, options);
     return d;
@@ -26300,7 +26706,7 @@ static paradt_dynamic *paradt__living_new(const paradt_options *options, const p
 // Returns what is wrong with the options for a living set, or NULL.
 static const char *paradt__living_fault(const paradt_options *options) {
     if (options->flags) return "options.flags is not 0";
-    if (options->method != PARADT_AUTO) return "options.method is not PARADT_AUTO";
+    if (!paradt__past_is_possible(options->method)) return "options.method is no way of locating points";
     return NULL;
 }
 
@@ -26392,6 +26798,7 @@ static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__cen
     d->memory = old.memory;
     d->build.memory = &d->memory;
     d->build.witness = &d->witness;
+    paradt__past_own(&d->past, &d->memory);
     d->dim_before = old.dim;
     d->rebuilt = 1;
     paradt__release(&d->memory, fresh);
@@ -26579,6 +26986,9 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
     paradt_status status = PARADT_OK;
     d->error_point = 0;
     d->error_text = NULL;
+    if (change->kind != PARADT__INSERTION && d->past.method != PARADT_AUTO)
+        return paradt__change_fault(d,
+                                    "a set with options.method PARADT_FLIP or PARADT_DELAUNAY_TREE has insertion only");
     if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
     if (status) return status;
     change->number = (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
@@ -26743,10 +27153,9 @@ PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, p
     return paradt__living_is_hidden(d, position) ? -1 : paradt__living_get(d, PARADT__OWNER, position);
 }
 
-// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells: a star of many cells would take
-// memory that nobody can provide here.
-static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
-                                        size_t capacity) {
+// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells.
+static size_t paradt__living_star_of_all(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                         size_t capacity) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     size_t count = 0, i;
     for (i = 0; i < mesh->count; i++) {
@@ -26756,6 +27165,33 @@ static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index po
         if (count++ < capacity) cells[count - 1] = (paradt_index)i;
     }
     return count;
+}
+
+// The same from a cell of the vertex to the others, in time linear in their number. That takes memory; if there is none
+// all cells of the set are looked at.
+static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                        size_t capacity) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt__memory memory;
+    paradt__seen star;
+    size_t next, count = 0;
+    int fresh;
+    paradt_status status;
+    memset(&star, 0, sizeof star);
+    paradt__memory_begin(&memory, &d->options);
+    status = paradt__seen_add(&star, paradt__living_get(d, PARADT__CELL, position), &fresh, &memory);
+    for (next = 0; next < star.items.count && !status; next++) {
+        const paradt_index place = star.items.items[next], base = place * mesh->corners;
+        paradt_index i;
+        if (paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners) && count++ < capacity)
+            cells[count - 1] = place;
+        for (i = base; i < base + mesh->corners && !status; i++) {
+            if (mesh->vertices[i] != position)
+                status = paradt__seen_add(&star, paradt__mesh_cell(mesh, mesh->links[i]), &fresh, &memory);
+        }
+    }
+    paradt__seen_free(&star, &memory);
+    return status ? paradt__living_star_of_all(d, position, cells, capacity) : count;
 }
 
 PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity) {
