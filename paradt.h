@@ -11312,12 +11312,12 @@ PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index firs
         const unsigned conflict = paradt__plane_conflicts(build, across, &centred, x);
         const unsigned postponed = paradt__plane_conflicts(build, beside, &centred, x);
         killed[cells++] = 3 * (paradt_index)cell;
-        later[waiting].inner = before;
-        later[waiting].mirror = other;
-        later[waiting].corner = vertices[entry];
-        later[waiting].conflict = postponed;
-        waiting++;
         if (conflict) {
+            later[waiting].inner = before;
+            later[waiting].mirror = other;
+            later[waiting].corner = vertices[entry];
+            later[waiting].conflict = postponed;
+            waiting++;
             entry = mirror;
             cell = across;
             continue;
@@ -11325,6 +11325,14 @@ PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index firs
         rim[facets] = after;
         polygon->corner[facets] = vertices[before];
         polygon->outer[facets++] = mirror;
+        if (postponed) {
+            entry = other;
+            cell = beside;
+            continue;
+        }
+        rim[facets] = before;
+        polygon->corner[facets] = vertices[entry];
+        polygon->outer[facets++] = other;
         while (waiting && !later[waiting - 1].conflict) {
             waiting--;
             rim[facets] = later[waiting].inner;
