@@ -5698,28 +5698,33 @@ static void paradt__digits_of(double x, int top, int64_t *digits) {
 
 // Returns r^2 - |x - o|^2, where r^2 = squared * 2^(2 top - 54) and o is in digits. Every coordinate is cut off below
 // 2^(top - 108), which is an error of at most d 2^(2 top - 104); the sum is exact up to its last rounding to a double,
-// of at most 2^-48 of itself.
-static double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITTA_DIGITS], int64_t squared, int top,
-                              int ambient) {
+// of at most 2^-48 of itself. unit: 2^(2 top - 54)
+PARADT__INLINE double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITTA_DIGITS], int64_t squared,
+                                      int top, double unit, int ambient) {
     enum { LAST = 2 * PARADT__SAGITTA_DIGITS - 2 };
-    int64_t level[LAST + 1] = {0}, d[PARADT__SAGITTA_DIGITS], carry;
+    int64_t level[LAST + 1] = {0}, d[PARADT__SAGITTA_DIGITS];
     double sum = 0.0;
     int i, j, k;
     for (j = 0; j < ambient; j++) { // each adds less than 2^57 to a level
         paradt__digits_of(x[j], top, d);
         for (i = 0; i < PARADT__SAGITTA_DIGITS; i++) d[i] -= o[j][i];
+        PARADT__UNROLL
         for (i = 0; i < PARADT__SAGITTA_DIGITS; i++) {
-            for (k = 0; k < PARADT__SAGITTA_DIGITS; k++) level[i + k] += d[i] * d[k];
+            level[2 * i] += d[i] * d[i];
+            PARADT__UNROLL
+            for (k = i + 1; k < PARADT__SAGITTA_DIGITS; k++) level[i + k] += 2 * d[i] * d[k];
         }
     }
     level[0] -= squared;
-    for (i = LAST; i > 0; i--) { // leaves digits of at most 2^26 in size below the first
-        carry = (level[i] + (1 << 26)) / (1 << 27) - (level[i] + (1 << 26) < 0);
-        level[i] -= carry * (1 << 27);
-        level[i - 1] += carry;
+    PARADT__UNROLL
+    for (i = LAST; i > 0; i--) { // leaves digits of at most 2^26 in size below the first; rounded: a multiple of 2^27
+        int64_t middle = level[i] + (1 << 26), rounded = middle - (int64_t)((uint64_t)middle & 0x7ffffff);
+        level[i] -= rounded;
+        level[i - 1] += rounded / (1 << 27);
     }
-    for (i = LAST; i >= 0; i--) sum += (double)level[i] * paradt__power(2 * top - 54 - 27 * i);
-    return -sum;
+    PARADT__UNROLL
+    for (i = LAST; i >= 0; i--) sum = sum * (1.0 / (1 << 27)) + (double)level[i];
+    return -sum * unit;
 }
 
 // Returns the exponent of a power of two that is at least twice the radius and, as sagittas need, over four times the
@@ -5748,7 +5753,8 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
                                           paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
-    double largest = 0.0, *records;
+    const int64_t(*digits)[PARADT__SAGITTA_DIGITS] = (const int64_t(*)[PARADT__SAGITTA_DIGITS])o;
+    double largest = 0.0, unit = paradt__power(2 * top - 54), *records;
     size_t i, width = set->width;
     PARADT_ASSERT(capacity >= set->count && set->grade == PARADT__UNGRADED);
     *nearby = radius2 < paradt__power(2 * top);
@@ -5769,7 +5775,9 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
         memcpy(to, set->records + i * width, width * sizeof(double));
         *nearby = paradt__largest(to, ambient) < paradt__power(top);
         if (!*nearby) break;
-        to[ambient] = paradt__sagitta(to, (const int64_t(*)[PARADT__SAGITTA_DIGITS])o, squared, top, ambient);
+        if (ambient == 2) to[2] = paradt__sagitta(to, digits, squared, top, unit, 2);
+        else if (PARADT_MAX_DIM > 2 && ambient == 3) to[3] = paradt__sagitta(to, digits, squared, top, unit, 3);
+        else to[ambient] = paradt__sagitta(to, digits, squared, top, unit, ambient);
         largest = paradt__larger(largest, paradt__abs(to[ambient]));
         *nearby = largest < radius2 * nearness;
     }
