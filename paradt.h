@@ -10161,8 +10161,9 @@ typedef struct paradt__kept {
 
     // In space the vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in
     // bytes in `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
+    // In the plane they are there when a cavity first needs them.
     uint32_t *number;                        // [numbers]
-    size_t numbers;                          // at least points + 1
+    size_t numbers, numbers_wanted;          // wanted: at least points + 1
     uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
     paradt__spoke spokes[(int)PARADT__RIM_VERTICES + (int)PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
 
@@ -10564,11 +10565,12 @@ PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
 }
 
-// Makes room for the numbers of more vertices. Returns 0 if there is no memory.
+// Makes room for the numbers of so many vertices, that of the infinite one included. Returns 0 if there is no memory.
 static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     paradt__kept *s = build->kept;
     void *array = s->number;
-    PARADT_ASSERT(numbers > s->numbers);
+    if (s->numbers_wanted < numbers) s->numbers_wanted = numbers;
+    if (numbers <= s->numbers) return 1;
     if (!paradt__grow(build->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
     s->number = (uint32_t *)array;
     paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
@@ -10618,7 +10620,7 @@ static void paradt__kept_forget(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t i;
     for (i = 0; i <= s->mask; i++) s->table[i].tag = PARADT__NO_SPHERE;
-    memset(s->number, 0, s->numbers * sizeof *s->number);
+    if (s->numbers) memset(s->number, 0, s->numbers * sizeof *s->number);
     s->next_number = PARADT__NUMBER_STEP;
     s->evicted = 0;
     paradt__kept_measure(build);
@@ -10653,7 +10655,8 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
     s->corners = build->scene.mesh.corners;
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_cache_line(s + 1);
-    if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
+    s->numbers_wanted = build->count + 1;
+    if (space && !paradt__kept_more_numbers(build, s->numbers_wanted)) return PARADT_ERROR_MEMORY;
     s->next_number = PARADT__NUMBER_STEP;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     paradt__kept_measure(build);
@@ -11697,6 +11700,7 @@ PARADT__NOINLINE paradt_status paradt__plane_insert_large(paradt__insertion *bui
                                                           const paradt__kept_kernels *kernels) {
     paradt__kept_kernels plane = *kernels;
     plane.corners = 3;
+    if (!paradt__kept_more_numbers(build, build->kept->numbers_wanted)) return PARADT_ERROR_MEMORY;
     return paradt__kept_insert_at(build, point, first, centred, &plane);
 }
 
@@ -12499,8 +12503,8 @@ static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_in
     PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, cell) != PARADT__DEAD);
     build->scene.hint = cell;
     if (!kept) return PARADT_OK;
-    if (numbers >= kept->numbers && !paradt__kept_more_numbers(build, numbers + numbers / 8 + 64))
-        return PARADT_ERROR_MEMORY;
+    if (numbers >= kept->numbers_wanted) kept->numbers_wanted = numbers + numbers / 8 + 64;
+    if (kept->corners == 4 && !paradt__kept_more_numbers(build, kept->numbers_wanted)) return PARADT_ERROR_MEMORY;
     kept->start = cell;
     kept->next = paradt__centred_of(kept, paradt__scene_record(&build->scene, first));
     return PARADT_OK;
