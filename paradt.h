@@ -10150,7 +10150,8 @@ typedef struct paradt__kept {
     double steepness;     // of ghosts: 2^60 times the root of box_square
     double zero_below;    // a power of less than this in size is 0
     paradt__centred next; // the point to be inserted next
-    paradt_index start;   // where the search for it begins: of the last new cells the one with its least power
+    paradt_index start;   // where the search for it begins: of the last new cells the one with its least power, in the
+                          // plane the one that it lies towards
 
     // Since the last call of paradt__kept_adapt: new cells; spheres made again; powers in doubt that the filter decided
     size_t made_count, missed_count, doubtful_count;
@@ -11491,6 +11492,7 @@ PARADT__NOINLINE void paradt__polygon_ghosts(paradt__insertion *build, paradt__n
                            paradt__scene_record(&build->scene, polygon->corner[to]));
     s->table[a & s->mask].tag = a;
     s->table[b & s->mask].tag = b;
+    s->start = (paradt_index)(paradt__sphere_power(s->table + (a & s->mask), &s->next) < 0.0 ? a : b);
     star->count = (int)(count - 2);
     for (i = 0; i < count; i += PARADT__PLANE_TOGETHER)
         memcpy(s->finite_base + i, made + i, PARADT__PLANE_TOGETHER * sizeof *made);
@@ -11500,13 +11502,14 @@ PARADT__NOINLINE void paradt__polygon_ghosts(paradt__insertion *build, paradt__n
     for (i = count - 2; i < count + 1; i++) star->base[i] = star->base[0];
 }
 
-// The kernel `make` in the plane
+// The kernel `make` in the plane. The search for the next point starts at the cell that this point lies towards, as seen
+// from the new one: it is known before the circles are, so that processors need not wait for these.
 PARADT__INLINE void paradt__plane_make_any(paradt__making making, const paradt__insertion *build,
                                            paradt__new_cells *star, const double *x, const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const paradt__frame frame = s->frame;
     paradt__centred p = paradt__base_of(making, 3, *centred, x), next = s->next;
-    double least = PARADT__NO_ERROR_BOUND;
+    const double to_x = next.s[0] - p.s[0], to_y = next.s[1] - p.s[1];
     int i;
     for (i = 0; i < star->count; i++) {
         const paradt_index *row = build->scene.mesh.vertices + star->base[i];
@@ -11514,12 +11517,10 @@ PARADT__INLINE void paradt__plane_make_any(paradt__making making, const paradt__
         paradt__sphere *circle = s->table + (cell & s->mask);
         paradt__spoke a = paradt__spoke_of(making, 3, x, paradt__scene_record(&build->scene, row[0]));
         paradt__spoke b = paradt__spoke_of(making, 3, x, paradt__scene_record(&build->scene, row[1]));
-        double power;
         paradt__circle_make(making, &frame, &p, a.edge, b.edge, circle);
         circle->tag = cell;
-        power = paradt__kept_power(circle, &next, 3);
-        s->start = power < least ? (paradt_index)cell : s->start;
-        least = power < least ? power : least;
+        if ((a.edge[0] * to_y >= a.edge[1] * to_x) & (b.edge[0] * to_y < b.edge[1] * to_x))
+            s->start = (paradt_index)cell;
     }
 }
 
@@ -12330,30 +12331,28 @@ PARADT__AVX2 PARADT__INLINE void paradt__plane_make_four(paradt__making making, 
     const double lift = paradt__base_of(making, 3, *centred, x).lift;
     const __m256d p[4] = {_mm256_set1_pd(centred->s[0]), _mm256_set1_pd(centred->s[1]), _mm256_setzero_pd(),
                           _mm256_set1_pd(making == PARADT__MAKE_GRADED ? -lift : lift)};
-    const __m256d next[2] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1])};
+    const __m256d next[2] = {_mm256_set1_pd(s->next.s[0] - centred->s[0]),
+                             _mm256_set1_pd(s->next.s[1] - centred->s[1])};
     const paradt__frame frame = s->frame;
-    __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
-    __m128i best = _mm_set1_epi32(star->base[0] / 3);
+    uint64_t towards = 0;
     int i, count = star->count;
     for (i = 0; i < count; i += 4) {
         const paradt_index seconds[4] = {star->base[i] + 1, star->base[i + 1] + 1, star->base[i + 2] + 1,
                                          star->base[i + 3] + 1};
         // first handles are multiples of 3: this is their inverse, modulo 2^32
-        __m128i bases = _mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), is_less;
+        __m128i bases = _mm_loadu_si128((const __m128i *)(const void *)(star->base + i));
         __m128i cells = _mm_mullo_epi32(bases, _mm_set1_epi32((int)0xaaaaaaab));
-        __m256d a[4], b[4], circle[4], error, power, less;
+        __m256d a[4], b[4], circle[4], error;
+        int left, right;
         paradt__four_plane_edges(making, build, star->base + i, point, a);
         paradt__four_plane_edges(making, build, seconds, point, b);
+        left = _mm256_movemask_pd(_mm256_fmsub_pd(a[0], next[1], _mm256_mul_pd(a[1], next[0])));
+        right = _mm256_movemask_pd(_mm256_fmsub_pd(b[0], next[1], _mm256_mul_pd(b[1], next[0])));
+        towards |= i < 64 ? (uint64_t)(unsigned)(right & ~left) << i : 0;
         paradt__four_circles(making, &frame, p, a, b, circle, &error);
         paradt__four_store(s->table, s->mask, cells, circle, error);
-        power = _mm256_fmadd_pd(circle[0], next[0], _mm256_fmadd_pd(circle[1], next[1], circle[3]));
-        less = _mm256_cmp_pd(power, least, _CMP_LT_OQ);
-        least = _mm256_min_pd(power, least);
-        is_less = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(less)),
-                                                  _mm_castpd_ps(_mm256_extractf128_pd(less, 1)), 0x88));
-        best = _mm_blendv_epi8(best, cells, is_less);
     }
-    s->start = paradt__four_least(least, best);
+    if (towards) s->start = (paradt_index)paradt__kept_across(star->base[paradt__trailing_zeros(towards)], 3);
 }
 
 PARADT__AVX2 static void paradt__plane_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
