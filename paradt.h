@@ -5707,28 +5707,33 @@ static void paradt__digits_of(double x, int top, int64_t *digits) {
 
 // Returns r^2 - |x - o|^2, where r^2 = squared * 2^(2 top - 54) and o is in digits. Every coordinate is cut off below
 // 2^(top - 108), which is an error of at most d 2^(2 top - 104); the sum is exact up to its last rounding to a double,
-// of at most 2^-48 of itself.
-static double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITTA_DIGITS], int64_t squared, int top,
-                              int ambient) {
+// of at most 2^-48 of itself. unit: 2^(2 top - 54)
+PARADT__INLINE double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITTA_DIGITS], int64_t squared,
+                                      int top, double unit, int ambient) {
     enum { LAST = 2 * PARADT__SAGITTA_DIGITS - 2 };
-    int64_t level[LAST + 1] = {0}, d[PARADT__SAGITTA_DIGITS], carry;
+    int64_t level[LAST + 1] = {0}, d[PARADT__SAGITTA_DIGITS];
     double sum = 0.0;
     int i, j, k;
     for (j = 0; j < ambient; j++) { // each adds less than 2^57 to a level
         paradt__digits_of(x[j], top, d);
         for (i = 0; i < PARADT__SAGITTA_DIGITS; i++) d[i] -= o[j][i];
+        PARADT__UNROLL
         for (i = 0; i < PARADT__SAGITTA_DIGITS; i++) {
-            for (k = 0; k < PARADT__SAGITTA_DIGITS; k++) level[i + k] += d[i] * d[k];
+            level[2 * i] += d[i] * d[i];
+            PARADT__UNROLL
+            for (k = i + 1; k < PARADT__SAGITTA_DIGITS; k++) level[i + k] += 2 * d[i] * d[k];
         }
     }
     level[0] -= squared;
-    for (i = LAST; i > 0; i--) { // leaves digits of at most 2^26 in size below the first
-        carry = (level[i] + (1 << 26)) / (1 << 27) - (level[i] + (1 << 26) < 0);
-        level[i] -= carry * (1 << 27);
-        level[i - 1] += carry;
+    PARADT__UNROLL
+    for (i = LAST; i > 0; i--) { // leaves digits of at most 2^26 in size below the first; rounded: a multiple of 2^27
+        int64_t middle = level[i] + (1 << 26), rounded = middle - (int64_t)((uint64_t)middle & 0x7ffffff);
+        level[i] -= rounded;
+        level[i - 1] += rounded / (1 << 27);
     }
-    for (i = LAST; i >= 0; i--) sum += (double)level[i] * paradt__power(2 * top - 54 - 27 * i);
-    return -sum;
+    PARADT__UNROLL
+    for (i = LAST; i >= 0; i--) sum = sum * (1.0 / (1 << 27)) + (double)level[i];
+    return -sum * unit;
 }
 
 // Returns the exponent of a power of two that is at least twice the radius and, as sagittas need, over four times the
@@ -5757,7 +5762,8 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
                                           paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
-    double largest = 0.0, *records;
+    const int64_t(*digits)[PARADT__SAGITTA_DIGITS] = (const int64_t(*)[PARADT__SAGITTA_DIGITS])o;
+    double largest = 0.0, unit = paradt__power(2 * top - 54), *records;
     size_t i, width = set->width;
     PARADT_ASSERT(capacity >= set->count && set->grade == PARADT__UNGRADED);
     *nearby = radius2 < paradt__power(2 * top);
@@ -5778,7 +5784,9 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
         memcpy(to, set->records + i * width, width * sizeof(double));
         *nearby = paradt__largest(to, ambient) < paradt__power(top);
         if (!*nearby) break;
-        to[ambient] = paradt__sagitta(to, (const int64_t(*)[PARADT__SAGITTA_DIGITS])o, squared, top, ambient);
+        if (ambient == 2) to[2] = paradt__sagitta(to, digits, squared, top, unit, 2);
+        else if (PARADT_MAX_DIM > 2 && ambient == 3) to[3] = paradt__sagitta(to, digits, squared, top, unit, 3);
+        else to[ambient] = paradt__sagitta(to, digits, squared, top, unit, ambient);
         largest = paradt__larger(largest, paradt__abs(to[ambient]));
         *nearby = largest < radius2 * nearness;
     }
@@ -10153,7 +10161,8 @@ typedef struct paradt__kept {
     double steepness;     // of ghosts: 2^60 times the root of box_square
     double zero_below;    // a power of less than this in size is 0
     paradt__centred next; // the point to be inserted next
-    paradt_index start;   // where the search for it begins: of the last new cells the one with its least power
+    paradt_index start;   // where the search for it begins: of the last new cells the one with its least power, in the
+                          // plane the one that it lies towards
 
     // Since the last call of paradt__kept_adapt: new cells; spheres made again; powers in doubt that the filter decided
     size_t made_count, missed_count, doubtful_count;
@@ -10164,8 +10173,9 @@ typedef struct paradt__kept {
 
     // In space the vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in
     // bytes in `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
+    // In the plane they are there when a cavity first needs them.
     uint32_t *number;                        // [numbers]
-    size_t numbers;                          // at least points + 1
+    size_t numbers, numbers_wanted;          // wanted: at least points + 1
     uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
     paradt__spoke spokes[(int)PARADT__RIM_VERTICES + (int)PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
 
@@ -10567,11 +10577,12 @@ PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
 }
 
-// Makes room for the numbers of more vertices. Returns 0 if there is no memory.
+// Makes room for the numbers of so many vertices, that of the infinite one included. Returns 0 if there is no memory.
 static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     paradt__kept *s = build->kept;
     void *array = s->number;
-    PARADT_ASSERT(numbers > s->numbers);
+    if (s->numbers_wanted < numbers) s->numbers_wanted = numbers;
+    if (numbers <= s->numbers) return 1;
     if (!paradt__grow(build->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
     s->number = (uint32_t *)array;
     paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
@@ -10621,7 +10632,7 @@ static void paradt__kept_forget(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t i;
     for (i = 0; i <= s->mask; i++) s->table[i].tag = PARADT__NO_SPHERE;
-    memset(s->number, 0, s->numbers * sizeof *s->number);
+    if (s->numbers) memset(s->number, 0, s->numbers * sizeof *s->number);
     s->next_number = PARADT__NUMBER_STEP;
     s->evicted = 0;
     paradt__kept_measure(build);
@@ -10656,7 +10667,8 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
     s->corners = build->scene.mesh.corners;
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_cache_line(s + 1);
-    if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
+    s->numbers_wanted = build->count + 1;
+    if (space && !paradt__kept_more_numbers(build, s->numbers_wanted)) return PARADT_ERROR_MEMORY;
     s->next_number = PARADT__NUMBER_STEP;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     paradt__kept_measure(build);
@@ -11245,16 +11257,16 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
 // polygon there, so a new cell's neighbours are found by the vertex that they have in common, and vertices need no
 // numbers: kept->number has for each of the rim's vertices which of the new cells sees the rim from there on. Cavities
 // with more than PARADT__MOST_RIM facets are starred by >>insertion.
-// Doors: paradt__plane_spread, paradt__plane_spread_plain, paradt__plane_pad, paradt__plane_rows, paradt__plane_star,
-// paradt__plane_ghosts, paradt__plane_make_plain.
+// Doors: paradt__plane_spread, paradt__plane_pad, paradt__plane_rows, paradt__plane_star, paradt__plane_ghosts,
+// paradt__plane_make_plain, paradt__plane_dig, paradt__polygon_star, paradt__polygon_ghosts.
 
 // By place: from a handle in the plane to those of the cell's facets after it and before it. Tables, as compilers make
 // branches of choices, which processors can't predict here.
 static const ptrdiff_t paradt__plane_after[3] = {1, 1, -2}, paradt__plane_before[3] = {2, -1, -1};
 
-// The kernel `spread` in the plane, for cavities of any size
-PARADT__NOINLINE size_t paradt__plane_spread_large(paradt__insertion *build, paradt__dig *work,
-                                                   const paradt__centred *point, const double *x, size_t head) {
+// The kernel `spread` in the plane
+static size_t paradt__plane_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
+                                   const double *x, size_t head) {
     size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM, facets = build->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig dig = *work;
     paradt__centred centred = *point;
@@ -11270,77 +11282,98 @@ PARADT__NOINLINE size_t paradt__plane_spread_large(paradt__insertion *build, par
     return head;
 }
 
-// What is known of a cell of a small cavity before it is: of the two facets that it was not entered by the handles,
-// in this cell and across, and the cells across. All of it is found while the cell's power is computed, for processors
-// wait for the power: so when the cell is dug the next powers can be computed at once.
-typedef struct paradt__ahead {
-    paradt_index inner[2], mirror[2];
-    paradt__tag across[2];
-} paradt__ahead;
+enum {
+    PARADT__PLANE_TOGETHER = 4, // cells that are made together
+    PARADT__SMALL_CAVITY = 60,  // most cells of a small one
+    PARADT__SMALL_RIM = 64      // ... and more than the facets of its rim
+};
 
-enum { PARADT__SMALL_CAVITY = 64 }; // cells
+// The rim of a small cavity, as a polygon: its facets follow each other counter-clockwise
+typedef struct paradt__polygon {
+    paradt_index corner[PARADT__SMALL_RIM + PARADT__PLANE_TOGETHER]; // the vertex that the facet begins at
+    paradt_index outer[PARADT__SMALL_RIM + PARADT__PLANE_TOGETHER];  // the facet's mirror
+} paradt__polygon;
 
-// entry: the handle by which the cell was entered
-PARADT__INLINE void paradt__plane_find_ahead(const paradt__dig *dig, paradt_index entry, paradt__tag cell,
-                                             paradt__ahead *ahead) {
-    size_t place = (size_t)entry - 3 * (size_t)cell;
-    ahead->inner[0] = entry + (paradt_index)paradt__plane_after[place];
-    ahead->inner[1] = entry + (paradt_index)paradt__plane_before[place];
-    ahead->mirror[0] = dig->links[ahead->inner[0]];
-    ahead->mirror[1] = dig->links[ahead->inner[1]];
-    ahead->across[0] = paradt__kept_across(ahead->mirror[0], 3);
-    ahead->across[1] = paradt__kept_across(ahead->mirror[1], 3);
-}
+// A facet of a cell in the cavity, to which digging will come back
+typedef struct paradt__postponed {
+    paradt_index inner, mirror, corner;
+    unsigned conflict; // of the cell across
+} paradt__postponed;
 
-// paradt__kept_look for small cavities
-PARADT__INLINE void paradt__plane_look(paradt__insertion *build, paradt__dig *dig, paradt__ahead *ahead,
-                                       const paradt__centred *centred, const double *x, paradt_index inner,
-                                       paradt_index mirror, paradt__tag other) {
-    paradt__sphere *sphere = dig->table + (other & dig->mask);
+// Is the cell or ghost in conflict with the point?
+PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt__tag cell,
+                                                const paradt__centred *centred, const double *x) {
+    const paradt__sphere *sphere = build->kept->table + (cell & build->kept->mask);
     double power = paradt__kept_power(sphere, centred, 3);
-    unsigned conflict = power < 0.0;
-    paradt__plane_find_ahead(dig, mirror, other, ahead + dig->killed_count);
-    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
-        if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
-            dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
-            return;
+    if (PARADT__LIKELY((sphere->tag == cell) & (paradt__abs(power) > sphere->error))) return power < 0.0;
+    return paradt__kept_settle_plane(build, (paradt_index)cell, centred, x);
+}
+
+// Digs a small cavity depth first, so that the facets of the rim follow each other. Without weights no vertex is inside
+// of a cavity, so that its cells hang together as a tree, and no cell is come to twice: none needs a mark. Fills
+// update.killed, the rim and the polygon. Returns 0 if the cavity is not small; then nothing has changed.
+PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index first, const paradt__centred *point,
+                                     const double *x, paradt__polygon *polygon) {
+    const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
+    paradt_index *killed = build->update.killed, *rim = build->rim, entry = 3 * first;
+    paradt__tag cell = (paradt__tag)first;
+    paradt__postponed later[PARADT__SMALL_CAVITY + 1];
+    const paradt__centred centred = *point;
+    size_t cells = 0, facets = 0;
+    int waiting = 1;
+    later[0].inner = entry; // the facet by which no other cell leads to the first one
+    later[0].mirror = links[entry];
+    later[0].corner = vertices[entry + 1];
+    later[0].conflict =
+        paradt__plane_conflicts(build, paradt__kept_across(later[0].mirror, 3), &centred, x);
+    while (cells < PARADT__SMALL_CAVITY) {
+        const size_t place = (size_t)entry - 3 * (size_t)cell;
+        const paradt_index after = entry + (paradt_index)paradt__plane_after[place],
+                           before = entry + (paradt_index)paradt__plane_before[place];
+        const paradt_index mirror = links[after], other = links[before];
+        const paradt__tag across = paradt__kept_across(mirror, 3), beside = paradt__kept_across(other, 3);
+        const unsigned conflict = paradt__plane_conflicts(build, across, &centred, x);
+        const unsigned postponed = paradt__plane_conflicts(build, beside, &centred, x);
+        killed[cells++] = 3 * (paradt_index)cell;
+        if (conflict) {
+            later[waiting].inner = before;
+            later[waiting].mirror = other;
+            later[waiting].corner = vertices[entry];
+            later[waiting].conflict = postponed;
+            waiting++;
+            entry = mirror;
+            cell = across;
+            continue;
         }
-        conflict = paradt__kept_settle(build, (paradt_index)other, centred, x, 3);
+        rim[facets] = after;
+        polygon->corner[facets] = vertices[before];
+        polygon->outer[facets++] = mirror;
+        if (postponed) {
+            entry = other;
+            cell = beside;
+            continue;
+        }
+        rim[facets] = before;
+        polygon->corner[facets] = vertices[entry];
+        polygon->outer[facets++] = other;
+        while (waiting && !later[waiting - 1].conflict) {
+            waiting--;
+            rim[facets] = later[waiting].inner;
+            polygon->corner[facets] = later[waiting].corner;
+            polygon->outer[facets++] = later[waiting].mirror;
+        }
+        if (!waiting) {
+            build->update.killed_count = cells;
+            build->rim_count = facets;
+            PARADT_ASSERT(facets == cells + 2);
+            return 1;
+        }
+        waiting--;
+        entry = later[waiting].mirror;
+        cell = paradt__kept_across(entry, 3);
     }
-    paradt__kept_judge(dig, inner, mirror, sphere, conflict);
+    return 0;
 }
-
-// The kernel `spread` in the plane, fast as long as the cavity is small. Then the lists have room: they begin with room
-// for PARADT__FIRST_DIG.
-PARADT__INLINE size_t paradt__plane_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
-                                           const double *x, size_t head) {
-    paradt__ahead ahead[PARADT__SMALL_CAVITY];
-    paradt__dig dig = *work;
-    paradt__centred centred = *point;
-    size_t i;
-    if (dig.killed_count > PARADT__SMALL_CAVITY - 2) return paradt__plane_spread_large(build, work, point, x, head);
-    for (i = head; i < dig.killed_count; i++)
-        paradt__plane_find_ahead(&dig, dig.killed[i], paradt__kept_across(dig.killed[i], 3), ahead + i);
-    if (!head) {
-        paradt_index mirror = dig.links[dig.killed[0]];
-        paradt__plane_look(build, &dig, ahead, &centred, x, dig.killed[0], mirror, paradt__kept_across(mirror, 3));
-    }
-    for (; head < dig.killed_count && dig.killed_count <= PARADT__SMALL_CAVITY - 2; head++) {
-        const paradt__ahead at = ahead[head];
-        dig.killed[head] = 3 * (paradt_index)paradt__kept_across(dig.killed[head], 3);
-        paradt__plane_look(build, &dig, ahead, &centred, x, at.inner[0], at.mirror[0], at.across[0]);
-        paradt__plane_look(build, &dig, ahead, &centred, x, at.inner[1], at.mirror[1], at.across[1]);
-    }
-    *work = dig;
-    return head;
-}
-
-static size_t paradt__plane_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
-                                         const double *x, size_t head) {
-    return paradt__plane_spread(build, work, point, x, head);
-}
-
-enum { PARADT__PLANE_TOGETHER = 4 }; // cells that are made together
 
 // Fills kept->row, kept->outer and the numbers of the rim's vertices: of the new cells that see the rim from there on.
 // Sets kept->ghosts.
@@ -11428,13 +11461,66 @@ PARADT__NOINLINE void paradt__plane_ghosts(paradt__insertion *build, paradt__new
     for (i = count - 2; i < count + 1; i++) star->base[i] = star->base[0];
 }
 
-// The kernel `make` in the plane
+// Stores the new cells on the facets of the polygon at their places, and links them; what is behind the last facet and
+// the last place repeats them, but for the corner, which is the first one's.
+PARADT__INLINE void paradt__polygon_star(paradt__insertion *build, paradt__polygon *polygon, paradt_index point) {
+    paradt_index *made = build->update.made, *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
+    paradt_index ghosts = 0, last, a;
+    size_t i, count = build->rim_count;
+    polygon->corner[count] = polygon->corner[0];
+    last = made[count - 1];
+    a = polygon->corner[0];
+    for (i = 0; i < count; i++) {
+        paradt_index base = made[i], outer = polygon->outer[i], b = polygon->corner[i + 1];
+        vertices[base] = a;
+        vertices[base + 1] = b;
+        vertices[base + 2] = point;
+        links[base + 1] = last;
+        links[last] = base + 1;
+        links[base + 2] = outer;
+        links[outer] = base + 2;
+        ghosts |= a;
+        last = base;
+        a = b;
+    }
+    build->kept->ghosts = ghosts < 0;
+}
+
+// Makes the functions of the two ghosts among the new cells, and fills `star` with the others: those between them.
+PARADT__NOINLINE void paradt__polygon_ghosts(paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                             const paradt__centred *centred, const paradt__polygon *polygon) {
+    paradt__kept *s = build->kept;
+    const paradt_index *made = build->update.made;
+    size_t count = build->rim_count, from = 0, to, i;
+    paradt__tag a, b;
+    while (polygon->corner[from] >= 0) from++;
+    to = from ? from - 1 : count - 1;
+    a = paradt__kept_across(made[from], 3);
+    b = paradt__kept_across(made[to], 3);
+    paradt__sphere_of_edge(s, s->table + (a & s->mask), centred,
+                           paradt__scene_record(&build->scene, polygon->corner[from + 1]), x);
+    paradt__sphere_of_edge(s, s->table + (b & s->mask), centred, x,
+                           paradt__scene_record(&build->scene, polygon->corner[to]));
+    s->table[a & s->mask].tag = a;
+    s->table[b & s->mask].tag = b;
+    s->start = (paradt_index)(paradt__sphere_power(s->table + (a & s->mask), &s->next) < 0.0 ? a : b);
+    star->count = (int)(count - 2);
+    for (i = 0; i < count; i += PARADT__PLANE_TOGETHER)
+        memcpy(s->finite_base + i, made + i, PARADT__PLANE_TOGETHER * sizeof *made);
+    for (i = 0; i < count; i += PARADT__PLANE_TOGETHER)
+        memcpy(s->finite_base + count + i, made + i, PARADT__PLANE_TOGETHER * sizeof *made);
+    star->base = s->finite_base + from + 1;
+    for (i = count - 2; i < count + 1; i++) star->base[i] = star->base[0];
+}
+
+// The kernel `make` in the plane. The search for the next point starts at the cell that this point lies towards, as seen
+// from the new one: it is known before the circles are, so that processors need not wait for these.
 PARADT__INLINE void paradt__plane_make_any(paradt__making making, const paradt__insertion *build,
                                            paradt__new_cells *star, const double *x, const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const paradt__frame frame = s->frame;
     paradt__centred p = paradt__base_of(making, 3, *centred, x), next = s->next;
-    double least = PARADT__NO_ERROR_BOUND;
+    const double to_x = next.s[0] - p.s[0], to_y = next.s[1] - p.s[1];
     int i;
     for (i = 0; i < star->count; i++) {
         const paradt_index *row = build->scene.mesh.vertices + star->base[i];
@@ -11442,12 +11528,10 @@ PARADT__INLINE void paradt__plane_make_any(paradt__making making, const paradt__
         paradt__sphere *circle = s->table + (cell & s->mask);
         paradt__spoke a = paradt__spoke_of(making, 3, x, paradt__scene_record(&build->scene, row[0]));
         paradt__spoke b = paradt__spoke_of(making, 3, x, paradt__scene_record(&build->scene, row[1]));
-        double power;
         paradt__circle_make(making, &frame, &p, a.edge, b.edge, circle);
         circle->tag = cell;
-        power = paradt__kept_power(circle, &next, 3);
-        s->start = power < least ? (paradt_index)cell : s->start;
-        least = power < least ? power : least;
+        if ((a.edge[0] * to_y >= a.edge[1] * to_x) & (b.edge[0] * to_y < b.edge[1] * to_x))
+            s->start = (paradt_index)cell;
     }
 }
 
@@ -11489,9 +11573,9 @@ PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build, int c
     return PARADT_OK;
 }
 
-// Makes the spheres of the new cells, and chooses where the search for the next point starts.
+// Makes the spheres of the new cells, and chooses where the search for the next point starts. polygon: NULL, or the rim
 PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *centred,
-                                         const paradt__kept_kernels *kernels) {
+                                         const paradt__polygon *polygon, const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     paradt__new_cells star;
     star.base = build->update.made;
@@ -11500,6 +11584,7 @@ PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double 
     s->start = (paradt_index)paradt__kept_across(build->update.made[0], kernels->corners);
     if (!PARADT__LIKELY(!s->ghosts)) {
         if (kernels->corners == 4) paradt__kept_ghosts(build, &star, x, centred);
+        else if (polygon) paradt__polygon_ghosts(build, &star, x, centred, polygon);
         else paradt__plane_ghosts(build, &star, x, centred);
     }
     if (star.count) kernels->make(build, &star, x, centred);
@@ -11577,18 +11662,15 @@ PARADT__INLINE int paradt__kept_is_common(const paradt__insertion *build, int co
     return build->kept->spokes_end <= (int)PARADT__COMMON_VERTICES * (int)PARADT__NUMBER_STEP;
 }
 
-// Inserts a point that is kept->next: locate, dig, star. Inlined with constant kernels
-PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
-                                                     const paradt__kept_kernels *kernels) {
+// Inserts a point that is kept->next into the cavity that `first` is a cell of: dig, star. Inlined with constant kernels
+PARADT__INLINE paradt_status paradt__kept_insert_at(paradt__insertion *build, paradt_index point, paradt_index first,
+                                                    const paradt__centred *centred,
+                                                    const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     const int corners = kernels->corners;
     const double *x = paradt__scene_record(&build->scene, point);
-    paradt__centred centred = s->next;
-    paradt_index first = paradt__kept_locate(build, &centred, x, corners);
-    paradt_status status;
+    paradt_status status = paradt__kept_dig(build, first, centred, x, kernels);
     int is_common;
-    if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
-    status = paradt__kept_dig(build, first, &centred, x, kernels);
     if (!PARADT__LIKELY(!build->witness) && !status) status = build->witness->dug(build->witness, build);
     if (status) return status;
     paradt__kept_look_ahead(build);
@@ -11608,10 +11690,54 @@ PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, p
                               kernels->store_links);
         else paradt__kept_link_uncommon(build);
     }
-    paradt__kept_spheres(build, x, &centred, kernels);
+    paradt__kept_spheres(build, x, centred, NULL, kernels);
     PARADT_ASSERT(build->update.made_count == build->rim_count);
     return build->rim_count < build->update.killed_count ? paradt__kept_clear(build, build->rim_count, corners)
                                                          : PARADT_OK;
+}
+
+// Inserts a point that is kept->next in space: locate, dig, star.
+PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
+                                                     const paradt__kept_kernels *kernels) {
+    paradt__centred centred = build->kept->next;
+    paradt_index first =
+        paradt__kept_locate(build, &centred, paradt__scene_record(&build->scene, point), kernels->corners);
+    if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
+    return paradt__kept_insert_at(build, point, first, &centred, kernels);
+}
+
+// The same in the plane where the cavity is no small one, or there are weights
+PARADT__NOINLINE paradt_status paradt__plane_insert_large(paradt__insertion *build, paradt_index point,
+                                                          paradt_index first, const paradt__centred *centred,
+                                                          const paradt__kept_kernels *kernels) {
+    paradt__kept_kernels plane = *kernels;
+    plane.corners = 3;
+    if (!paradt__kept_more_numbers(build, build->kept->numbers_wanted)) return PARADT_ERROR_MEMORY;
+    return paradt__kept_insert_at(build, point, first, centred, &plane);
+}
+
+// The same in the plane: where the cavity is small the rim is a polygon.
+PARADT__INLINE paradt_status paradt__plane_insert_any(paradt__insertion *build, paradt_index point,
+                                                      const paradt__kept_kernels *kernels) {
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt__centred centred = build->kept->next;
+    paradt_index first = paradt__kept_locate(build, &centred, x, 3);
+    paradt__polygon polygon;
+    paradt_status status;
+    if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
+    if (build->scene.space.weighted || !paradt__plane_dig(build, first, &centred, x, &polygon))
+        return paradt__plane_insert_large(build, point, first, &centred, kernels);
+    status = build->witness ? build->witness->dug(build->witness, build) : PARADT_OK;
+    if (status) return status;
+    paradt__kept_look_ahead(build);
+    paradt__kept_dug(build);
+    status = paradt__kept_places(build, 3);
+    if (status) return status;
+    paradt__polygon_star(build, &polygon, point);
+    paradt__plane_pad(build);
+    paradt__kept_spheres(build, x, &centred, &polygon, kernels);
+    PARADT_ASSERT(build->update.made_count == build->rim_count);
+    return PARADT_OK;
 }
 
 // Inserts the point kept->next, by plain kernels.
@@ -11628,8 +11754,8 @@ static paradt_status paradt__kept_insert(paradt__insertion *build, paradt_index 
 // The same in the plane
 static paradt_status paradt__plane_insert(paradt__insertion *build, paradt_index point) {
     const paradt__kept_kernels kernels = {
-        3, paradt__plane_spread_plain, paradt__kept_remake_plain, paradt__plane_make_plain, NULL, NULL};
-    return paradt__kept_insert_any(build, point, &kernels);
+        3, paradt__plane_spread, paradt__kept_remake_plain, paradt__plane_make_plain, NULL, NULL};
+    return paradt__plane_insert_any(build, point, &kernels);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -12144,11 +12270,6 @@ PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *bu
 // Doors: paradt__plane_insert_avx2.
 
 #if defined(PARADT__KEPT_AVX2)
-PARADT__AVX2 static size_t paradt__plane_spread_avx2(paradt__insertion *build, paradt__dig *work,
-                                                     const paradt__centred *point, const double *x, size_t head) {
-    return paradt__plane_spread(build, work, point, x, head);
-}
-
 // Makes the circles of four cells, as paradt__circle_make does. p: by axis, and what the constants have of its lift; a,
 // b: by axis, and as in a spoke
 PARADT__AVX2 PARADT__INLINE void paradt__four_circles(paradt__making making, const paradt__frame *f, const __m256d *p,
@@ -12221,30 +12342,28 @@ PARADT__AVX2 PARADT__INLINE void paradt__plane_make_four(paradt__making making, 
     const double lift = paradt__base_of(making, 3, *centred, x).lift;
     const __m256d p[4] = {_mm256_set1_pd(centred->s[0]), _mm256_set1_pd(centred->s[1]), _mm256_setzero_pd(),
                           _mm256_set1_pd(making == PARADT__MAKE_GRADED ? -lift : lift)};
-    const __m256d next[2] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1])};
+    const __m256d next[2] = {_mm256_set1_pd(s->next.s[0] - centred->s[0]),
+                             _mm256_set1_pd(s->next.s[1] - centred->s[1])};
     const paradt__frame frame = s->frame;
-    __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
-    __m128i best = _mm_set1_epi32(star->base[0] / 3);
+    uint64_t towards = 0;
     int i, count = star->count;
     for (i = 0; i < count; i += 4) {
         const paradt_index seconds[4] = {star->base[i] + 1, star->base[i + 1] + 1, star->base[i + 2] + 1,
                                          star->base[i + 3] + 1};
         // first handles are multiples of 3: this is their inverse, modulo 2^32
-        __m128i bases = _mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), is_less;
+        __m128i bases = _mm_loadu_si128((const __m128i *)(const void *)(star->base + i));
         __m128i cells = _mm_mullo_epi32(bases, _mm_set1_epi32((int)0xaaaaaaab));
-        __m256d a[4], b[4], circle[4], error, power, less;
+        __m256d a[4], b[4], circle[4], error;
+        int left, right;
         paradt__four_plane_edges(making, build, star->base + i, point, a);
         paradt__four_plane_edges(making, build, seconds, point, b);
+        left = _mm256_movemask_pd(_mm256_fmsub_pd(a[0], next[1], _mm256_mul_pd(a[1], next[0])));
+        right = _mm256_movemask_pd(_mm256_fmsub_pd(b[0], next[1], _mm256_mul_pd(b[1], next[0])));
+        towards |= i < 64 ? (uint64_t)(unsigned)(right & ~left) << i : 0;
         paradt__four_circles(making, &frame, p, a, b, circle, &error);
         paradt__four_store(s->table, s->mask, cells, circle, error);
-        power = _mm256_fmadd_pd(circle[0], next[0], _mm256_fmadd_pd(circle[1], next[1], circle[3]));
-        less = _mm256_cmp_pd(power, least, _CMP_LT_OQ);
-        least = _mm256_min_pd(power, least);
-        is_less = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(less)),
-                                                  _mm_castpd_ps(_mm256_extractf128_pd(less, 1)), 0x88));
-        best = _mm_blendv_epi8(best, cells, is_less);
     }
-    s->start = paradt__four_least(least, best);
+    if (towards) s->start = (paradt_index)paradt__kept_across(star->base[paradt__trailing_zeros(towards)], 3);
 }
 
 PARADT__AVX2 static void paradt__plane_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
@@ -12259,8 +12378,8 @@ PARADT__AVX2 static void paradt__plane_make_avx2(const paradt__insertion *build,
 // Inserts the point kept->next in the plane, by these kernels.
 PARADT__AVX2 static paradt_status paradt__plane_insert_avx2(paradt__insertion *build, paradt_index point) {
     const paradt__kept_kernels kernels = {
-        3, paradt__plane_spread_avx2, paradt__kept_remake_plain, paradt__plane_make_avx2, NULL, NULL};
-    return paradt__kept_insert_any(build, point, &kernels);
+        3, paradt__plane_spread, paradt__kept_remake_plain, paradt__plane_make_avx2, NULL, NULL};
+    return paradt__plane_insert_any(build, point, &kernels);
 }
 #endif
 
@@ -12394,8 +12513,8 @@ static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_in
     PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, cell) != PARADT__DEAD);
     build->scene.hint = cell;
     if (!kept) return PARADT_OK;
-    if (numbers >= kept->numbers && !paradt__kept_more_numbers(build, numbers + numbers / 8 + 64))
-        return PARADT_ERROR_MEMORY;
+    if (numbers >= kept->numbers_wanted) kept->numbers_wanted = numbers + numbers / 8 + 64;
+    if (kept->corners == 4 && !paradt__kept_more_numbers(build, kept->numbers_wanted)) return PARADT_ERROR_MEMORY;
     kept->start = cell;
     kept->next = paradt__centred_of(kept, paradt__scene_record(&build->scene, first));
     return PARADT_OK;
