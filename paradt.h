@@ -1545,8 +1545,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        190   progress, teams, pauses, the clock
 //   predicates
-//     space                        287   what the predicates know of a set
-//     filters                      200   signs in floating point, with error bounds
+//     space                        294   what the predicates know of a set
+//     filters                      222   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        622   signs in integers
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
@@ -1558,16 +1558,16 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     reading                      226   the first pass over the points
 //     sorting                      470   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
-//     reference sphere             195   sagittas near a sphere
+//     reference sphere             204   sagittas near a sphere
 //   mesh
 //     mesh                         700   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        202   conflict test, walk, update
+//     scene                        203   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
 //     pencil                       499   the spheres through a facet
-//     search                       373   the apex of a facet, a point in a sphere
+//     search                       377   the apex of a facet, a point in a sphere
 //     questions                     76   the same of cells of others' points
 //   making
 //     first simplex                138   a cell to begin with
@@ -1577,18 +1577,18 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
 //     insertion                    298   dig and star, in any dimension
-//     kept spheres                 667   conflict tests by one product, in two and three dimensions
-//     digging by spheres           298   locate and dig with kept spheres
+//     kept spheres                 672   conflict tests by one product, in two and three dimensions
+//     digging by spheres           301   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           222   dig and star with kept spheres
-//     insertion by spheres         172   locate, dig and star, all together
-//     insertion in space by AVX2   505   its inner functions for four lanes
-//     the plane by AVX2            127   the same for the plane
+//     stars in the plane           294   dig and star with kept spheres
+//     insertion by spheres         215   locate, dig and star, all together
+//     insertion in space by AVX2   506   its inner functions for four lanes
+//     the plane by AVX2            120   the same for the plane
 //     inserting                    239   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               345   randomized incremental construction: regions, conflicts, one facet's step
+//     conflict graph               346   randomized incremental construction: regions, conflicts, one facet's step
 //     conflict rounds              408   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
@@ -1614,18 +1614,18 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     triangulate                  390   the entry
 //   use
 //     minors                        67   determinants with bounds, in floating point
-//     hull points                  470   those that a hull has to look at
+//     hull points                  471   those that a hull has to look at
 //     hull faces                   336   planes, extreme points, measures
 //     hull                         270   the entry
 //     given triangulation          198   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       523   the entry of repairing
+//     repair                       524   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               285   a vertex near any place
-//     distances                    161   which of two vertices is nearer
+//     distances                    162   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
@@ -1636,15 +1636,15 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     past of a living set         243   location by all cells that there were
 //     state of a living set        428   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      455   one point comes, goes or moves
+//     changes of a living set      457   one point comes, goes or moves
 //     making a living set          262   the set anew
 //     living set                   665   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
-//     Voronoi vertices             157   centres of cells, and their errors
+//     Voronoi vertices             158   centres of cells, and their errors
 //     Voronoi faces                488   faces and volumes that nothing clips
 //     planes of a cell             329   where planes meet, in integers
-//     clipped cell                 550   a cell as planes and vertices, in any dimension
+//     clipped cell                 552   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   257   volumes, areas, centroids
 //     clipping                     481   all cells that walls or infinity clip
 //     Voronoi                      636   the entry
@@ -1715,6 +1715,11 @@ extern "C" {
 
 #ifndef PARADT_ASSERT
 #define PARADT_ASSERT(condition) ((void)0)
+#endif
+
+// What floating point claims where it decides. A debug build compares it with the exact value (tests/bounds.h).
+#ifndef PARADT_CLAIM
+#define PARADT_CLAIM(...) ((void)0)
 #endif
 
 #if defined(PARADT_NO_FRONTS) && defined(PARADT_NO_REGIONS)
@@ -2539,13 +2544,16 @@ static double paradt__quantum(int exponent) {
 //
 // Minors (k = 2, 3, 4). The determinant is a sum of n! monomials, where an entry of the lift counts as one value. A
 // computed monomial has been rounded at most c times, however sums are ordered and products contracted: once by each
-// product, and by a sum once less than the sum has terms.
-//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, a product,
-//          d + 1 <= 9 additions, and 3 for the last product and sum: 19
-//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 12 + 4 = 24
-//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 12 + 5 = 31
-// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The factor is
-// twice as large, which covers the higher orders, the errors of the computed m_j, and the rounding of the bound itself.
+// product, and by a sum once less than the sum has terms. The lift has been rounded l times: its 2 differences, a
+// product, d - 1 additions, and one more of the weights: l = d + 2, or d + 3 with weights, of which each is rounded
+// twice.
+//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift 3 more for the last product and
+//          sum: 7 + l
+//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 4 + l
+//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 5 + l
+// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The higher
+// orders, the errors of the computed m_j (n u at most), and the roundings of the bound itself are less than 2^9 u of
+// that in all, for which the factor is larger by 2^-40. tests/bounds.c finds errors of a third of these bounds.
 //
 // Elimination with row pivoting (all other k). Entries begin with errors of at most 12 u m_j. After t steps they are at
 // most 2^t m_j in size, as multipliers are at most 1 in size; a multiplier, by a division or a product with a
@@ -2553,12 +2561,16 @@ static double paradt__quantum(int exponent) {
 // 2^(n-1) u m_j, and the multipliers contribute three times as much. So the computed pivots are exactly those of a
 // matrix whose entries differ by at most e m_j, e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound the determinant of
 // that matrix differs by at most n e h P to first order, h = n^(n/2); the product of the pivots adds n u of itself.
-// Again the factor is twice as large.
-static double paradt__rounding(int k, int n) {
-    static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
+// Again the factor is twice as large. Errors are a hundredth of that in five dimensions and less in more: entries
+// hardly ever grow by pivots, and Hadamard's matrices are rare. What is known beforehand of all determinants is no
+// more.
+static double paradt__rounding(int k, int n, int d, int weighted) {
+    static const int roundings[3][2] = {{4, 7}, {8, 12}, {14, 19}}, factorial[] = {1, 1, 2, 6, 24, 120};
     static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
-    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1));
-    if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
+    const int lift = n > k ? d + 2 + (weighted != 0) : 0;
+    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1) && d >= k);
+    if (k >= 2 && k <= 4)
+        return (1 + 9.094947017729282e-13) * PARADT__ROUNDOFF * (roundings[k - 2][n - k] + lift) * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
 
@@ -2610,10 +2622,10 @@ static void paradt__space_end(paradt__space *s) {
     for (int k = 1; k <= d; k++) {
         paradt__bounds *orient = &s->orient[k], *insphere = &s->insphere[k];
         product *= extents[k - 1];
-        orient->factor = paradt__rounding(k, k);
+        orient->factor = paradt__rounding(k, k, d, 0);
         orient->certain = orient->factor * product + s->tiny;
         orient->quantum = paradt__quantum(k * unit);
-        insphere->factor = paradt__rounding(k, k + 1);
+        insphere->factor = paradt__rounding(k, k + 1, d, s->weighted);
         insphere->certain = insphere->factor * product * lift + s->tiny;
         insphere->quantum = paradt__quantum(k * unit + lift_unit);
         s->orient_certain = paradt__larger(s->orient_certain, orient->certain);
@@ -2687,9 +2699,14 @@ PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, cons
 
 #define PARADT__UNDECIDED 2
 
-// The last step of each filter. largest: the product of the columns' largest entries
+// The bound for a determinant of some points. largest: the product of the columns' largest entries
+PARADT__INLINE double paradt__filter_error(const paradt__space *s, double largest, const paradt__bounds *b) {
+    return b->factor * largest + s->tiny;
+}
+
+// The last step of each filter
 PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest, const paradt__bounds *b) {
-    double error = b->factor * largest + s->tiny;
+    double error = paradt__filter_error(s, largest, b);
     if (value > error) return 1;
     if (value < -error) return -1;
     if (paradt__abs(value) + error >= b->quantum) return PARADT__UNDECIDED;
@@ -2702,8 +2719,10 @@ PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const 
     const double *o = p[0], *a = p[1], *b = p[2];
     double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
     double det = ax * by - bx * ay;
+    PARADT_CLAIM(determinant, s, p + 1, o, 2, 2, 2, 0, det, 0.0, &s->orient[2]);
     if (paradt__abs(det) > s->orient[2].certain) return det > 0 ? 1 : -1;
     double x = paradt__larger(paradt__abs(ax), paradt__abs(bx)), y = paradt__larger(paradt__abs(ay), paradt__abs(by));
+    PARADT_CLAIM(determinant, s, p + 1, o, 2, 2, 2, 0, det, x * y, &s->orient[2]);
     return paradt__decide(s, det, x * y, &s->orient[2]);
 }
 
@@ -2715,8 +2734,11 @@ PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const 
     double z[3] = {a[2] - o[2], b[2] - o[2], c[2] - o[2]};
     double det =
         (x[0] * y[1] - x[1] * y[0]) * z[2] + (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1];
+    PARADT_CLAIM(determinant, s, p + 1, o, 3, 3, 3, 0, det, 0.0, &s->orient[3]);
     if (paradt__abs(det) > s->orient[3].certain) return det > 0 ? 1 : -1;
-    return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3), &s->orient[3]);
+    double largest = paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3);
+    PARADT_CLAIM(determinant, s, p + 1, o, 3, 3, 3, 0, det, largest, &s->orient[3]);
+    return paradt__decide(s, det, largest, &s->orient[3]);
 }
 
 // Completes the lift of the point a over the base o: adds the squares of coordinates k..d - 1 to `lift`, the sum of the
@@ -2739,9 +2761,11 @@ PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *cons
     }
     det = (x[0] * y[1] - x[1] * y[0]) * lift[2] + (x[1] * y[2] - x[2] * y[1]) * lift[0] +
           (x[2] * y[0] - x[0] * y[2]) * lift[1];
+    PARADT_CLAIM(determinant, s, p, o, 3, 2, d, weighted, det, 0.0, &s->insphere[2]);
     if (paradt__abs(det) > s->insphere[2].certain) return det > 0 ? 1 : -1;
-    return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(size, 3),
-                          &s->insphere[2]);
+    double largest = paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(size, 3);
+    PARADT_CLAIM(determinant, s, p, o, 3, 2, d, weighted, det, largest, &s->insphere[2]);
+    return paradt__decide(s, det, largest, &s->insphere[2]);
 }
 
 // The sum of the sizes of all monomials of four rows. It is at most 24 times the product of the columns' largest
@@ -2777,11 +2801,15 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     double xyz230 = xy23 * z[0] + xy30 * z[2] + xy02 * z[3], xyz301 = xy30 * z[1] + xy01 * z[3] + xy13 * z[0];
     // minus the determinant of the rows (x, y, z, lift): in odd dimensions its sign is negative inside
     det = (xyz123 * lift[0] - xyz230 * lift[1]) + (xyz301 * lift[2] - xyz012 * lift[3]);
+    PARADT_CLAIM(determinant, s, p, o, 4, 3, d, weighted, det, 0.0, &s->insphere[3]);
     if (paradt__abs(det) > s->insphere[3].certain) return det > 0 ? 1 : -1;
     double largest = paradt__largest(x, 4) * paradt__largest(y, 4) * paradt__largest(z, 4) * paradt__largest(size, 4);
+    PARADT_CLAIM(determinant, s, p, o, 4, 3, d, weighted, det, largest, &s->insphere[3]);
     int sign = paradt__decide(s, det, largest, &s->insphere[3]);
     if (sign != PARADT__UNDECIDED) return sign;
-    return paradt__decide(s, det, paradt__monomials4(x, y, z, size) / 24, &s->insphere[3]);
+    largest = paradt__monomials4(x, y, z, size) / 24;
+    PARADT_CLAIM(monomials, s, p, o, 4, 3, d, weighted, det, largest, &s->insphere[3]);
+    return paradt__decide(s, det, largest, &s->insphere[3]);
 }
 
 // The determinant of four of five rows, without row `out`. xy[i][j], zw[i][j]: the determinants of rows i and j in the
@@ -2817,9 +2845,12 @@ PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, con
         det = (det * lift[4] - paradt__without(xy, zw, 3) * lift[3]) +
               (paradt__without(xy, zw, 2) * lift[2] - paradt__without(xy, zw, 1) * lift[1]) +
               paradt__without(xy, zw, 0) * lift[0];
+    PARADT_CLAIM(determinant, s, p, base, n, 4, d, s->weighted, det, 0.0, b);
     if (paradt__abs(det) > b->certain) return det > 0 ? 1 : -1;
     for (int j = 0; j < 4; j++) largest *= paradt__largest(x[j], n);
-    return paradt__decide(s, det, n == 5 ? largest * paradt__largest(size, 5) : largest, b);
+    if (n == 5) largest *= paradt__largest(size, 5);
+    PARADT_CLAIM(determinant, s, p, base, n, 4, d, s->weighted, det, largest, b);
+    return paradt__decide(s, det, largest, b);
 }
 
 // Returns the determinant of n rows by elimination with pivots, or 0 if there is no pivot. Overwrites a.
@@ -2866,13 +2897,16 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
     }
     det = paradt__eliminate(a, n);
     if (n > k && k & 1) det = -det;
+    PARADT_CLAIM(determinant, s, p, base, n, k, d, s->weighted, det, 0.0, b);
     if (paradt__abs(det) > b->certain) return det > 0 ? 1 : -1;
     for (int j = 0; j < k; j++) { // elimination has overwritten the rows
         double most = 0;
         for (int i = 0; i < n; i++) most = paradt__larger(most, paradt__abs(p[i][j] - base[j]));
         largest *= most;
     }
-    return paradt__decide(s, det, n > k ? largest * paradt__largest(size, n) : largest, b);
+    if (n > k) largest *= paradt__largest(size, n);
+    PARADT_CLAIM(determinant, s, p, base, n, k, d, s->weighted, det, largest, b);
+    return paradt__decide(s, det, largest, b);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -3790,8 +3824,8 @@ PARADT__INLINE int paradt__space_of_few(paradt__space *s, const double *const *p
     s->tiny = paradt__power(-440); // more than that of paradt__space_end where the top is 100
     s->orient[k].certain = s->insphere[k].certain = paradt__power(1000); // more than any determinant
     s->orient[k].quantum = s->insphere[k].quantum = 0;
-    s->orient[k].factor = paradt__rounding(k, k);
-    s->insphere[k].factor = paradt__rounding(k, k + 1);
+    s->orient[k].factor = paradt__rounding(k, k, k, 0);
+    s->insphere[k].factor = paradt__rounding(k, k + 1, k, 0);
     return fits && paradt__precise();
 }
 
@@ -5804,6 +5838,7 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
 static void paradt__set_grade_bounds(paradt__set *set, double largest) {
     set->grade_limit = largest * 1.0000001;
     set->grade_error += largest * paradt__power(-48);
+    PARADT_CLAIM(sagittas, set);
 }
 
 // Gives the records their sagittas, if the set is near to a sphere and spans all its axes; else leaves it as it is.
@@ -6922,6 +6957,7 @@ PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell
         int facet = -1;
         if (corners == 3) paradt__sides_in_plane(scene, row, x, values);
         else paradt__sides_in_space(scene, row, x, values);
+        PARADT_CLAIM(sides, scene, row, x, values, certain, corners);
         for (i = 0; i < corners; i++) {
             double value = i == from ? 0.0 : values[i];
             facet = value < least ? i : facet;
@@ -8380,6 +8416,7 @@ PARADT__INLINE void paradt__search_point_of_shape(paradt__search *s, size_t posi
     } else {
         f_bound = n_bound = PARADT__NO_BOUND;
     }
+    PARADT_CLAIM(search, s, x, f, f_bound, n, n_bound);
     if (s->aim != PARADT__AIM_CONFLICT) {
         if (n < -n_bound || (n <= n_bound && !paradt__pencil_is_outside(&s->pencil, x))) return;
     }
@@ -8419,6 +8456,7 @@ static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, 
     const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, scratch);
     unsigned mask = s->kernels.cell(&s->pencil.q, lanes, f_bound, n_bound);
     int i;
+    PARADT_CLAIM(lanes, s, cell * PARADT__LANES, (size_t)1, ~mask);
     s->distance_evaluations += PARADT__LANES;
     s->grid_cells_visited++;
     if (!mask) return;
@@ -8462,6 +8500,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
     mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
     if (s->aim == PARADT__AIM_BEYOND) mask = paradt__pencil_boxes_beyond(&s->pencil, boxes, mask);
+    PARADT_CLAIM(lanes, s, first * span, span, ~mask & remaining);
     while (mask && !s->found) {
         lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
@@ -8476,6 +8515,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
             changes = s->pencil.changes;
             growths = s->pencil.growths;
             mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
+            PARADT_CLAIM(lanes, s, first * span, span, ~mask & remaining);
         }
     }
 }
@@ -10530,6 +10570,7 @@ PARADT__INLINE unsigned paradt__kept_settle_any(paradt__insertion *build, paradt
     double power;
     if (sphere->tag & PARADT__IN_CAVITY) return 1;
     power = paradt__kept_power(sphere, centred, corners);
+    PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, x, power);
     if (paradt__abs(power) > sphere->error) return power < 0.0;
     if (paradt__abs(power) + sphere->error < s->zero_below) return paradt__kept_tie(build, cell, x, corners);
     return corners == 4 ? paradt__kept_decide_space(build, cell, x) : paradt__kept_decide_plane(build, cell, x);
@@ -10729,6 +10770,7 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
     paradt_index cell = build->kept->start;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
     double power = paradt__rounded(paradt__kept_power(sphere, centred, corners)), error = sphere->error;
+    PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, x, power);
     while (power >= -error) {
         const paradt_index *links = build->scene.mesh.links + (size_t)corners * (size_t)cell;
         double least = power;
@@ -10739,6 +10781,7 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
             double value;
             sphere = paradt__kept_sphere(build, other);
             value = paradt__rounded(paradt__kept_power(sphere, centred, corners));
+            PARADT_CLAIM(power, build, sphere, (paradt__tag)other, x, value);
             best = value < least ? other : best;
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
@@ -10837,6 +10880,7 @@ PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig
     paradt__sphere *sphere = dig->table + (other & dig->mask);
     double power = paradt__kept_power(sphere, centred, corners);
     unsigned conflict = power < 0.0;
+    PARADT_CLAIM(power, build, sphere, other, x, power);
     PARADT__PREFETCH(dig->links + (size_t)corners * (size_t)other);
     if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
         if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
@@ -11305,6 +11349,7 @@ PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt
                                                 const paradt__centred *centred, const double *x) {
     const paradt__sphere *sphere = build->kept->table + (cell & build->kept->mask);
     double power = paradt__kept_power(sphere, centred, 3);
+    PARADT_CLAIM(power, build, sphere, cell, x, power);
     if (PARADT__LIKELY((sphere->tag == cell) & (paradt__abs(power) > sphere->error))) return power < 0.0;
     return paradt__kept_settle_plane(build, (paradt_index)cell, centred, x);
 }
@@ -11324,8 +11369,7 @@ PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index firs
     later[0].inner = entry; // the facet by which no other cell leads to the first one
     later[0].mirror = links[entry];
     later[0].corner = vertices[entry + 1];
-    later[0].conflict =
-        paradt__plane_conflicts(build, paradt__kept_across(later[0].mirror, 3), &centred, x);
+    later[0].conflict = paradt__plane_conflicts(build, paradt__kept_across(later[0].mirror, 3), &centred, x);
     while (cells < PARADT__SMALL_CAVITY) {
         const size_t place = (size_t)entry - 3 * (size_t)cell;
         const paradt_index after = entry + (paradt_index)paradt__plane_after[place],
@@ -11513,8 +11557,8 @@ PARADT__NOINLINE void paradt__polygon_ghosts(paradt__insertion *build, paradt__n
     for (i = count - 2; i < count + 1; i++) star->base[i] = star->base[0];
 }
 
-// The kernel `make` in the plane. The search for the next point starts at the cell that this point lies towards, as seen
-// from the new one: it is known before the circles are, so that processors need not wait for these.
+// The kernel `make` in the plane. The search for the next point starts at the cell that this point lies towards, as
+// seen from the new one: it is known before the circles are, so that processors need not wait for these.
 PARADT__INLINE void paradt__plane_make_any(paradt__making making, const paradt__insertion *build,
                                            paradt__new_cells *star, const double *x, const paradt__centred *centred) {
     paradt__kept *s = build->kept;
@@ -11662,7 +11706,8 @@ PARADT__INLINE int paradt__kept_is_common(const paradt__insertion *build, int co
     return build->kept->spokes_end <= (int)PARADT__COMMON_VERTICES * (int)PARADT__NUMBER_STEP;
 }
 
-// Inserts a point that is kept->next into the cavity that `first` is a cell of: dig, star. Inlined with constant kernels
+// Inserts a point that is kept->next into the cavity that `first` is a cell of: dig, star. Inlined with constant
+// kernels
 PARADT__INLINE paradt_status paradt__kept_insert_at(paradt__insertion *build, paradt_index point, paradt_index first,
                                                     const paradt__centred *centred,
                                                     const paradt__kept_kernels *kernels) {
@@ -11889,6 +11934,7 @@ PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, pa
         paradt__four_slots at = paradt__four_across(&dig, row);
         __m256d power = paradt__four_powers(at, query, lift), error = paradt__four_errors(at);
         unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
+        PARADT_CLAIM(powers, build, dig.table, dig.mask, row, x, (const double *)&power);
         here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
         *cell = base;
         paradt__kept_number(&dig, dig.vertices[entry]);
@@ -13465,6 +13511,7 @@ PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space
         int keep = (int)(merged[i] & 1);
         double value = rows ? paradt__plane_value(plane, rows + (size_t)point * (size_t)terms, terms) : 0.0;
         paradt__tag its = rank[point];
+        PARADT_CLAIM(plane, g, row, plane, paradt__record(g->set, point), value, terms);
         if (PARADT__LIKELY(keep | (paradt__abs(value) > plane->error))) keep |= value < 0.0;
         else keep = paradt__graph_decide(g, space, row, paradt__record(g->set, point));
         merged[kept] = point;
@@ -19289,6 +19336,7 @@ static void paradt__sieve_plane(const paradt__sieve *sieve, const double *const 
     for (i = 0; i + 1 < d; i++)
         for (j = 0; j < d; j++) table->row[i][j] = (x[i + 1][j] - x[0][j]) * sieve->scale[j];
     paradt__minors_of(table, d - 1, d);
+    PARADT_CLAIM(minors, x, sieve->scale, table, d);
     for (j = 0; j < d; j++) {
         double minor = table->minor[all ^ 1u << j], y = (x[0][j] - sieve->low[j]) * sieve->scale[j];
         plane[j] = j & 1 ? minor : -minor;
@@ -21355,6 +21403,7 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
         for (i = 0; i < corners; i++) r->hull += links[i] < 0;
         if (spheres && cell % PARADT__TOGETHER == 0)
             known = cell + PARADT__TOGETHER <= mesh.count ? fine(build, cell) : 0;
+        if (spheres && cell % PARADT__TOGETHER == 0) PARADT_CLAIM(fine, build, cell, known);
         if (!(known & 1)) status = paradt__repair_ask(r, cell);
     }
     return status;
@@ -22834,6 +22883,7 @@ PARADT__INLINE paradt__power_of paradt__power_at(const paradt__scene *scene, con
     power.value = weighted ? sum - p[ambient] : sum;
     power.error = PARADT__POWER_FACTOR * size + scene->space.tiny;
     power.vertex = vertex;
+    PARADT_CLAIM(distance, scene, x, p, ambient, weighted, power.value, power.error);
     return power;
 }
 
@@ -26325,7 +26375,9 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
             i = ghost;
         } else {
             const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-            if (paradt__sphere_power(sphere, &centred) < -sphere->error) return cell;
+            double power = paradt__sphere_power(sphere, &centred);
+            PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, record, power);
+            if (power < -sphere->error) return cell;
             for (i = 0; i < 4; i++)
                 if (i != from && paradt__side(scene, cell, i, record) < 0) break;
             *fresh = i < 4;
@@ -27875,6 +27927,7 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
         h[i] = planes + i;
     }
     known = paradt__diagram_meet(g, h, d, 0, y);
+    PARADT_CLAIM(meet, g, vertices, y, d);
     PARADT__UNROLL
     for (i = 0; i < d; i++) {
         centre[i] = base[i] + y[i];
@@ -28912,6 +28965,7 @@ PARADT__INLINE void paradt__convex_find(paradt__convex *c, size_t vertex, int d)
     if (!paradt__diagram_meet(c->g, h, d, 0, y)) paradt__exact_meet(&c->exact, c->g, c->p, h, 0, 0, y);
     if (distant && !paradt__diagram_meet(c->g, h, d, 1, y + d + 1))
         paradt__exact_meet(&c->exact, c->g, c->p, h, 1, 0, y + d + 1);
+    PARADT_CLAIM(corner, c, h, y, distant);
 }
 
 // Is a vertex outside of a plane? 1, 0: on it, -1: inside
@@ -28920,6 +28974,7 @@ PARADT__INLINE int paradt__convex_above(paradt__convex *c, size_t vertex, const 
     const paradt__halfspace *h[PARADT_MAX_DIM + 1];
     int i, sign = c->distant[vertex] ? paradt__diagram_above(c->g, plane, y + d + 1, d, 1)
                                      : paradt__diagram_above(c->g, plane, y, d, 0);
+    PARADT_CLAIM(above, c, vertex, plane, sign);
     if (PARADT__LIKELY(sign != PARADT__UNDECIDED)) return sign;
     for (i = 0; i < d; i++) h[i] = paradt__convex_plane(c, vertex, i);
     h[d] = plane;
