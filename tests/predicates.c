@@ -490,6 +490,7 @@ int main(int argc, char **argv) {
 
 #else
 
+#include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
 
@@ -988,6 +989,32 @@ static void the_least_determinants_are_told_from_zero(void **state) {
     assert_true(settled > 0);
 }
 
+// Three points almost on a line. Rounded upward, their determinant errs by a fourth of the bound, and has the wrong sign.
+static void filters_keep_their_bound_rounding_upward(void **state) {
+    static const double points[3][2] = {{-0x1.24f1928ad4edfp-1, 0x1.54488f0729af1p-1},
+                                        {0x1.3eb839b990a1ap-1, -0x1.28b6ffd14fa38p-1},
+                                        {-0x1.b4d51578b336fp+0, 0x1.d88768d77bd75p+0}};
+    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    (void)state;
+    start_oracle();
+    for (int mode = 0; mode < 4; mode++)
+        for (int swapped = 0; swapped < 2; swapped++) {
+            sample s = {2, 2, 0, {{0}}, {0}};
+            int sign;
+            for (int i = 0; i < 3; i++) {
+                volatile double x = points[i][0], y = points[i][1]; // not for the compiler, which rounds to nearest
+                s.memory[i][0] = x, s.memory[i][1] = y;
+                s.points[i] = s.memory[swapped && i ? 3 - i : i];
+            }
+            s.points[3] = s.memory[3];
+            fesetround(modes[mode]);
+            sign = paradt_orient(2, s.points);
+            fesetround(FE_TONEAREST);
+            expect(sign, oracle_orient(s.points, 2), "orientation", &s, "almost on a line");
+        }
+    stop_oracle();
+}
+
 static void ordered_bits_order_like_the_doubles(void **state) {
     (void)state;
     assert_true(paradt__ordered_bits(0.0) == 0 && paradt__ordered_bits(paradt__from_bits((uint64_t)1 << 63)) == 0);
@@ -1218,6 +1245,7 @@ int main(void) {
         cmocka_unit_test(lattices_stay_in_the_filter),
         cmocka_unit_test(facts_hold_for_any_fewer_axes),
         cmocka_unit_test(the_least_determinants_are_told_from_zero),
+        cmocka_unit_test(filters_keep_their_bound_rounding_upward),
         cmocka_unit_test(powers_are_as_exact_as_they_claim),
         cmocka_unit_test(the_general_stage_keeps_its_room),
     };
