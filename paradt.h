@@ -6194,10 +6194,10 @@ PARADT__INLINE int paradt__same_facet(const paradt_index *vertices, paradt_index
 
 // --- the star of a vertex
 
-enum {
-    PARADT__STAR_CELLS = 256, // that a star holds at most; some more are found with the last
-    PARADT__STAR_PLACES = 512
-};
+#if !defined(PARADT__STAR_CELLS)   // tests make it smaller
+#define PARADT__STAR_CELLS 256 // that a star holds at most; some more are found with the last
+#endif
+enum { PARADT__STAR_PLACES = 512 };
 
 typedef struct paradt__star {
     size_t count; // more than PARADT__STAR_CELLS: there are too many, and the star is not complete
@@ -15996,11 +15996,15 @@ static uint64_t paradt__patch_effort(const paradt__patch *patch) {
     return paradt__search_effort(&patch->search) + patch->neighbor_effort;
 }
 
+#if !defined(PARADT__LEARN_AFTER)       // tests learn sooner
+#define PARADT__LEARN_AFTER 10000 // looks, and some more for each cell and for others' points
+#endif
+
 // Is it faster to learn neighbours now than to go on searching? Learning a point's neighbours takes as long as some
 // looks.
 static int paradt__patch_learning_pays(const paradt__patch *patch) {
-    size_t others = patch->build.count - patch->own->set.count;
-    return paradt__patch_effort(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
+    size_t others = patch->build.count - patch->own->set.count, more = patch->build.scene.mesh.count / 32 + 8 * others;
+    return paradt__patch_effort(patch) > (PARADT__LEARN_AFTER ? PARADT__LEARN_AFTER + more : 0);
 }
 
 // Should the region give up? It should when the questions and the insertion of their answers take longer than to insert

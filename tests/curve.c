@@ -155,6 +155,26 @@ static void equal_points_are_found_on_all_scales(void **state) {
         }
 }
 
+// A hash of a record's bytes, or a comparison of them, takes zeros of one sign.
+static void records_have_no_negative_zero(void **state) {
+    const double wide[] = {-0.0, 1, -0.0}, weight = -0.0;
+    const float narrow[] = {-0.0f, 1, -0.0f}, light = -0.0f;
+    (void)state;
+    for (int floats = 0; floats < 2; floats++) {
+        paradt_points points = {0};
+        paradt__source source;
+        double record[4];
+        points.data = floats ? (const void *)narrow : (const void *)wide;
+        points.scalar = points.weight_scalar = floats ? PARADT_F32 : PARADT_F64;
+        points.weights = floats ? (const void *)&light : (const void *)&weight;
+        points.count = 1;
+        points.dim = 3;
+        source = paradt__source_of(&points);
+        paradt__read_record(&source, 0, record);
+        for (int i = 0; i < 4; i++) assert_true(paradt__bits(record[i]) == (i == 1 ? paradt__bits(1.0) : 0));
+    }
+}
+
 // Three points of which two differ along one axis alone, by one unit in the last place, and have the same first key.
 static void points_that_differ_along_one_axis_are_two(void **state) {
     (void)state;
@@ -496,6 +516,7 @@ int main(void) {
         cmocka_unit_test(the_corners_of_any_box_get_different_places),
         cmocka_unit_test(sorting_keeps_the_order_of_equal_keys),
         cmocka_unit_test(equal_points_are_found_on_all_scales),
+        cmocka_unit_test(records_have_no_negative_zero),
         cmocka_unit_test(points_that_differ_along_one_axis_are_two),
         cmocka_unit_test(cuts_that_lose_bits_stay_between_their_points),
         cmocka_unit_test(a_sample_tells_whether_points_are_crowded),
