@@ -9392,7 +9392,9 @@ static paradt_status paradt__incode(paradt__front *front) {
 // positions in the set. Doors: paradt__dewall, and for walls that are tasks paradt__wall_of, paradt__wall_begin,
 // paradt__wall_raise, paradt__wall_build, paradt__wall_activate.
 
-enum { PARADT__WALL_SMALL = 64 }; // so few points are not divided further
+#if !defined(PARADT__WALL_SMALL) // tests make it smaller
+#define PARADT__WALL_SMALL 64 // so few points are not divided further
+#endif
 
 // A range of positions, the plane that divides it, and work lists of active facets
 typedef struct paradt__wall {

@@ -151,7 +151,7 @@ END
 $CC -c -o $work/shared/filter.o $work/shared/filter.c || exit 1
 for test in $(echo "$tests" | sed '/\.sh/d; /^ranks:/d; s/:.*//' | sort -u); do
     grep -q '^ *# *define *PARADT_IMPLEMENTATION' "tests/$test.c" && continue
-    [ "$work/shared/$test.o" -nt "tests/$test.c" ] || $CC $flags -c -o "$work/shared/$test.o" "tests/$test.c" || exit 1
+    $CC $flags -c -o "$work/shared/$test.o" "tests/$test.c" || exit 1
 done
 
 {
