@@ -56,6 +56,7 @@ static void small_sets_in_regions_have_the_cells_of_one(void **unused) {
         watch(NULL, 0);
         if (paradt_hash(&t) != hash) fail_on_sample(&s, "other cells in regions");
         if (t.stats.hull_facets != whole.stats.hull_facets) fail_on_sample(&s, "other hull facets in regions");
+        if (verify_neighbors(&t)) fail_on_sample(&s, verify_neighbors(&t));
         paradt_free(&t);
         paradt_free(&whole);
         sample_free(&s);
@@ -104,6 +105,7 @@ static void small_sets_have_the_same_cells_by_every_method(void **unused) {
             watch(NULL, 0);
             if (method == PARADT_INCODE) first = paradt_hash(&t);
             if (paradt_hash(&t) != first) fail_on_sample(&s, paradt_method_string(options.method));
+            if (verify_neighbors(&t)) fail_on_sample(&s, verify_neighbors(&t));
             paradt_free(&t);
         }
         sample_free(&s);

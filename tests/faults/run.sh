@@ -5,12 +5,13 @@
 # A patch is a unified diff of one fault. It is found by its context, so that it survives when lines move. Its first line is
 #     TEST... -- what is wrong
 # with the tests that should see it, the quickest first. A test is tests/NAME.c, as NAME or NAME:PATTERN for those of its tests
-# whose names match (* and ?); tests/NAME.sh, as NAME.sh; or ranks:N, the first N cases of tests/programs/ranks.c.
+# whose names match (* and ?); tests/NAME.sh, as NAME.sh; or ranks:N, the first N cases of tests/programs/ranks.c. NAME+MACRO is a
+# test that contains the implementation, built with a macro.
 # A fault is caught when a test fails, crashes or takes more than FAULT_SECONDS. Before, each of these tests has to pass without
 # a fault. A program under test is built with FAULT_FLAGS.
 CC=${CC:-cc}
 FAULT_SECONDS=${FAULT_SECONDS:-180}
-FAULT_FLAGS=${FAULT_FLAGS:--O1}
+FAULT_FLAGS=${FAULT_FLAGS:--O0}
 here=tests/faults
 work=build/faults
 flags="$FAULT_FLAGS -include tests/asserts.h -I. -Itests"
@@ -27,12 +28,13 @@ plant() {
     cp -r tests/bench/alone "$work/$1/tests/bench/"
 }
 
-# Builds a test in the current folder: $1 is its name. What does not contain the implementation is built once for all faults.
+# Builds a test in the current folder: $1 is its name, $2 a macro or nothing. What does not contain the implementation is built once
+# for all faults.
 build() {
     if [ "$1" = ranks ]; then
         $CC $flags -Itests/bench/alone -o build/ranks tests/programs/ranks.c -pthread -lm
     elif grep -q '^ *# *define *PARADT_IMPLEMENTATION' "tests/$1.c"; then
-        $CC $flags -o "build/$1" "tests/$1.c" ../shared/filter.o $libraries
+        $CC $flags ${2:+-D$2} -o "build/$1" "tests/$1.c" ../shared/filter.o $libraries
     else
         [ -e build/paradt.o ] || echo '#include "paradt.h"' | $CC $flags -DPARADT_IMPLEMENTATION -x c -c -o build/paradt.o - || return 1
         objects=build/paradt.o
@@ -49,11 +51,15 @@ build() {
 run() {
     program=${1%%:*}
     pattern=
+    macro=
     [ "$program" = "$1" ] || pattern=${1#*:}
+    case $program in
+    *+*) macro=${program#*+} program=${program%%+*} ;;
+    esac
     case $program in
     *.sh) command="sh tests/$program" ;;
     *)
-        build "$program" >build/errors 2>&1 || return 2
+        build "$program" "$macro" >build/errors 2>&1 || return 2
         command=build/$program
         [ "$program" != ranks ] || command="build/ranks $pattern"
         ;;
@@ -149,7 +155,7 @@ __attribute__((constructor)) static void choose_tests(void) {
 }
 END
 $CC -c -o $work/shared/filter.o $work/shared/filter.c || exit 1
-for test in $(echo "$tests" | sed '/\.sh/d; /^ranks:/d; s/:.*//' | sort -u); do
+for test in $(echo "$tests" | sed '/\.sh/d; /^ranks:/d; s/[:+].*//' | sort -u); do
     grep -q '^ *# *define *PARADT_IMPLEMENTATION' "tests/$test.c" && continue
     $CC $flags -c -o "$work/shared/$test.o" "tests/$test.c" || exit 1
 done
