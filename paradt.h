@@ -1574,7 +1574,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     reach                         96   which cells a region makes and owns, facet by facet
 //     front                        437   what facet by facet has in common
 //     incode                        28   incremental construction
-//     dewall                       158   divide and conquer, merge first
+//     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
 //     insertion                    298   dig and star, in any dimension
 //     kept spheres                 672   conflict tests by one product, in two and three dimensions
@@ -1601,7 +1601,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     regions of fronts            125   owners, joining
 //     fringe                       106   cells that are not a region's own alone
 //     fields and patches           344   a region's points, its insertion
-//     questions between regions    369   is a cell one of T(P)?
+//     questions between regions    373   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
 //     results of patches           176   dropping, emitting, taking over
 //     known points                 234   what a rank builds
@@ -6246,10 +6246,10 @@ PARADT__INLINE int paradt__same_facet(const paradt_index *vertices, paradt_index
 
 // --- the star of a vertex
 
-enum {
-    PARADT__STAR_CELLS = 256, // that a star holds at most; some more are found with the last
-    PARADT__STAR_PLACES = 512
-};
+#if !defined(PARADT__STAR_CELLS) // tests make it smaller
+#define PARADT__STAR_CELLS 256   // that a star holds at most; some more are found with the last
+#endif
+enum { PARADT__STAR_PLACES = 512 };
 
 typedef struct paradt__star {
     size_t count; // more than PARADT__STAR_CELLS: there are too many, and the star is not complete
@@ -9449,7 +9449,9 @@ static paradt_status paradt__incode(paradt__front *front) {
 // positions in the set. Doors: paradt__dewall, and for walls that are tasks paradt__wall_of, paradt__wall_begin,
 // paradt__wall_raise, paradt__wall_build, paradt__wall_activate.
 
-enum { PARADT__WALL_SMALL = 64 }; // so few points are not divided further
+#if !defined(PARADT__WALL_SMALL) // tests make it smaller
+#define PARADT__WALL_SMALL 64    // so few points are not divided further
+#endif
 
 // A range of positions, the plane that divides it, and work lists of active facets
 typedef struct paradt__wall {
@@ -16256,11 +16258,15 @@ static uint64_t paradt__patch_effort(const paradt__patch *patch) {
     return paradt__search_effort(&patch->search) + patch->neighbor_effort;
 }
 
+#if !defined(PARADT__LEARN_AFTER) // tests learn sooner
+#define PARADT__LEARN_AFTER 10000 // looks, and some more for each cell and for others' points
+#endif
+
 // Is it faster to learn neighbours now than to go on searching? Learning a point's neighbours takes as long as some
 // looks.
 static int paradt__patch_learning_pays(const paradt__patch *patch) {
-    size_t others = patch->build.count - patch->own->set.count;
-    return paradt__patch_effort(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
+    size_t others = patch->build.count - patch->own->set.count, more = patch->build.scene.mesh.count / 32 + 8 * others;
+    return paradt__patch_effort(patch) > (PARADT__LEARN_AFTER ? PARADT__LEARN_AFTER + more : 0);
 }
 
 // Should the region give up? It should when the questions and the insertion of their answers take longer than to insert
