@@ -22,7 +22,7 @@ TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),
 ZLIB ?= $(if $(filter clean help,$(MAKECMDGOALS)),,$(shell echo 'int main(void) { return zlibVersion() == 0; }' | \
     $(CC) -include zlib.h -x c -o /dev/null - -lz 2>/dev/null && echo -DPARADT_ZLIB -lz))
 
-.PHONY: all run examples check test bench thesis study study-threads theory lib clean help test-programs test-list
+.PHONY: all run examples check test faults bench thesis study study-threads theory lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -197,6 +197,10 @@ test: ## Run all tests, after installing what they need (apt-get, as root or by 
 	    { grep -E 'error|Error|undefined reference' $(T)/build.log | head -40; echo "See $(T)/build.log."; }
 	@$(MAKE) --no-print-directory -s QUICK=$(QUICK) test-list >$(T)/list
 	@CC="$(CC)" CXX="$(CXX)" JOBS=$(JOBS) QUICK=$(QUICK) sh tests/run.sh $(T)/list $(T)/logs
+
+# Without optimisation the library is built in seconds, and most faults show in small sets.
+faults: ## Plant faults one by one, and run the tests that should see them (tests/faults; half an hour on two processors)
+	@JOBS=$(JOBS) CC="$(CC)" sh tests/faults/run.sh
 
 # --- the rest --------------------------------------------------------------------------------------------------------
 

@@ -1223,8 +1223,10 @@ PARADT_DEF void paradt_adjacency_free(paradt_adjacency *adjacency);
 //   points   read during the call only; point i has the id i. Without weights all weights are 0, and those of later
 //            points must be, too.
 //   options  NULL: the defaults. They hold for all calls on the set: allocator, memory_limit (of the set), progress,
-//            parallel_for, user, regions. method: PARADT_AUTO, points are located by a walk from a grid of starting
-//            cells. flags: 0
+//            parallel_for, user, regions. flags: 0. method is how points are located: PARADT_AUTO by a walk from a grid
+//            of starting cells; PARADT_DELAUNAY_TREE and PARADT_FLIP by all cells that there were, the Delaunay tree or
+//            the history of flips, which take the more memory the more points have come. Then points can only be
+//            inserted: removing and moving are PARADT_ERROR_ARGUMENT
 // Errors: those of paradt_triangulate. Thread safety: any number of concurrent calls. Cost: that of paradt_triangulate.
 PARADT_DEF paradt_status paradt_dynamic_create(paradt_dynamic **out, const paradt_points *points,
                                                const paradt_options *options);
@@ -1282,6 +1284,7 @@ PARADT_DEF const double *paradt_dynamic_point(const paradt_dynamic *d, paradt_in
 PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, paradt_index id);
 
 // Returns the number of cells that have a vertex, and fills the first `capacity` of them. 0 for what is no vertex.
+// Cost: linear in the number; memory is taken, for the time of the call, where that is more than 256.
 PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity);
 
 #ifndef PARADT_NO_LOCATOR
@@ -1531,7 +1534,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph, >>conflict rounds; >>lifted hull; >>hull of
 //                       points to >>hull
 //     queries           >>mesh, >>scene; >>given triangulation, >>location to >>locator
-//     living sets       >>mesh, >>scene, >>insertion; >>holes of vertices to >>living set
+//     living sets       >>mesh, >>scene, >>insertion; >>holes of vertices to >>living set (for >>past of a living set
+//                       flips, tree)
 //     Voronoi diagrams  >>given triangulation, >>diagram to >>Voronoi faces; where walls are, >>planes of a cell to
 //                       >>clipping
 //
@@ -1542,8 +1546,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        190   progress, teams, pauses, the clock
 //   predicates
-//     space                        287   what the predicates know of a set
-//     filters                      200   signs in floating point, with error bounds
+//     space                        294   what the predicates know of a set
+//     filters                      222   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        622   signs in integers
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
@@ -1555,50 +1559,50 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     reading                      226   the first pass over the points
 //     sorting                      470   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
-//     reference sphere             195   sagittas near a sphere
+//     reference sphere             204   sagittas near a sphere
 //   mesh
 //     mesh                         700   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        202   conflict test, walk, update
+//     scene                        203   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
 //     pencil                       499   the spheres through a facet
-//     search                       373   the apex of a facet, a point in a sphere
+//     search                       377   the apex of a facet, a point in a sphere
 //     questions                     76   the same of cells of others' points
 //   making
 //     first simplex                138   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
 //     front                        437   what facet by facet has in common
 //     incode                        28   incremental construction
-//     dewall                       158   divide and conquer, merge first
+//     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    296   dig and star, in any dimension
-//     kept spheres                 667   conflict tests by one product, in two and three dimensions
-//     digging by spheres           298   locate and dig with kept spheres
+//     insertion                    298   dig and star, in any dimension
+//     kept spheres                 672   conflict tests by one product, in two and three dimensions
+//     digging by spheres           301   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           222   dig and star with kept spheres
-//     insertion by spheres         172   locate, dig and star, all together
-//     insertion in space by AVX2   505   its inner functions for four lanes
-//     the plane by AVX2            127   the same for the plane
+//     stars in the plane           294   dig and star with kept spheres
+//     insertion by spheres         215   locate, dig and star, all together
+//     insertion in space by AVX2   506   its inner functions for four lanes
+//     the plane by AVX2            120   the same for the plane
 //     inserting                    239   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               345   randomized incremental construction: regions, conflicts, one facet's step
+//     conflict graph               346   randomized incremental construction: regions, conflicts, one facet's step
 //     conflict rounds              408   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
 //     nodes                         65   the memory of all cells ever made
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      131   the dag of all cells, by which points are located
-//     insertion by flips           308   search, split, collect, flip
-//     Delaunay tree                296   location by the cells that there were
+//     insertion by flips           381   search, split, collect, flip
+//     Delaunay tree                306   location by the cells that there were
 //   division
 //     regions of fronts            125   owners, joining
 //     fringe                       106   cells that are not a region's own alone
 //     fields and patches           344   a region's points, its insertion
-//     questions between regions    369   is a cell one of T(P)?
+//     questions between regions    373   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
 //     results of patches           176   dropping, emitting, taking over
 //     known points                 234   what a rank builds
@@ -1611,18 +1615,18 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     triangulate                  390   the entry
 //   use
 //     minors                        67   determinants with bounds, in floating point
-//     hull points                  470   those that a hull has to look at
+//     hull points                  471   those that a hull has to look at
 //     hull faces                   336   planes, extreme points, measures
 //     hull                         270   the entry
 //     given triangulation          198   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       523   the entry of repairing
+//     repair                       524   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               285   a vertex near any place
-//     distances                    161   which of two vertices is nearer
+//     distances                    162   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    189   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
@@ -1630,15 +1634,18 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     locator                      644   the entry of queries
 //     holes of vertices            382   the hole where a vertex goes, and wrapping it
 //     filling holes                391   what fills it
-//     state of a living set        698   columns, journal, hidden and coincident points
-//     changes of a living set      692   one point comes, goes or moves; the set anew
-//     living set                   634   the entry
+//     past of a living set         243   location by all cells that there were
+//     state of a living set        428   columns, hidden and coincident points
+//     journal of a living set      337   how changes are noted and undone
+//     changes of a living set      457   one point comes, goes or moves
+//     making a living set          262   the set anew
+//     living set                   665   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
-//     Voronoi vertices             157   centres of cells, and their errors
+//     Voronoi vertices             158   centres of cells, and their errors
 //     Voronoi faces                488   faces and volumes that nothing clips
 //     planes of a cell             329   where planes meet, in integers
-//     clipped cell                 550   a cell as planes and vertices, in any dimension
+//     clipped cell                 552   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   257   volumes, areas, centroids
 //     clipping                     481   all cells that walls or infinity clip
 //     Voronoi                      636   the entry
@@ -1709,6 +1716,11 @@ extern "C" {
 
 #ifndef PARADT_ASSERT
 #define PARADT_ASSERT(condition) ((void)0)
+#endif
+
+// What floating point claims where it decides. A debug build compares it with the exact value (tests/bounds.h).
+#ifndef PARADT_CLAIM
+#define PARADT_CLAIM(...) ((void)0)
 #endif
 
 #if defined(PARADT_NO_FRONTS) && defined(PARADT_NO_REGIONS)
@@ -2533,13 +2545,16 @@ static double paradt__quantum(int exponent) {
 //
 // Minors (k = 2, 3, 4). The determinant is a sum of n! monomials, where an entry of the lift counts as one value. A
 // computed monomial has been rounded at most c times, however sums are ordered and products contracted: once by each
-// product, and by a sum once less than the sum has terms.
-//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, a product,
-//          d + 1 <= 9 additions, and 3 for the last product and sum: 19
-//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 12 + 4 = 24
-//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 12 + 5 = 31
-// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The factor is
-// twice as large, which covers the higher orders, the errors of the computed m_j, and the rounding of the bound itself.
+// product, and by a sum once less than the sum has terms. The lift has been rounded l times: its 2 differences, a
+// product, d - 1 additions, and one more of the weights: l = d + 2, or d + 3 with weights, of which each is rounded
+// twice.
+//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift 3 more for the last product and
+//          sum: 7 + l
+//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 4 + l
+//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 5 + l
+// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The higher
+// orders, the errors of the computed m_j (n u at most), and the roundings of the bound itself are less than 2^9 u of
+// that in all, for which the factor is larger by 2^-40. tests/bounds.c finds errors of a third of these bounds.
 //
 // Elimination with row pivoting (all other k). Entries begin with errors of at most 12 u m_j. After t steps they are at
 // most 2^t m_j in size, as multipliers are at most 1 in size; a multiplier, by a division or a product with a
@@ -2547,12 +2562,16 @@ static double paradt__quantum(int exponent) {
 // 2^(n-1) u m_j, and the multipliers contribute three times as much. So the computed pivots are exactly those of a
 // matrix whose entries differ by at most e m_j, e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound the determinant of
 // that matrix differs by at most n e h P to first order, h = n^(n/2); the product of the pivots adds n u of itself.
-// Again the factor is twice as large.
-static double paradt__rounding(int k, int n) {
-    static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
+// Again the factor is twice as large. Errors are a hundredth of that in five dimensions and less in more: entries
+// hardly ever grow by pivots, and Hadamard's matrices are rare. What is known beforehand of all determinants is no
+// more.
+static double paradt__rounding(int k, int n, int d, int weighted) {
+    static const int roundings[3][2] = {{4, 7}, {8, 12}, {14, 19}}, factorial[] = {1, 1, 2, 6, 24, 120};
     static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
-    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1));
-    if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
+    const int lift = n > k ? d + 2 + (weighted != 0) : 0;
+    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1) && d >= k);
+    if (k >= 2 && k <= 4)
+        return (1 + 9.094947017729282e-13) * PARADT__ROUNDOFF * (roundings[k - 2][n - k] + lift) * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
 
@@ -2604,10 +2623,10 @@ static void paradt__space_end(paradt__space *s) {
     for (int k = 1; k <= d; k++) {
         paradt__bounds *orient = &s->orient[k], *insphere = &s->insphere[k];
         product *= extents[k - 1];
-        orient->factor = paradt__rounding(k, k);
+        orient->factor = paradt__rounding(k, k, d, 0);
         orient->certain = orient->factor * product + s->tiny;
         orient->quantum = paradt__quantum(k * unit);
-        insphere->factor = paradt__rounding(k, k + 1);
+        insphere->factor = paradt__rounding(k, k + 1, d, s->weighted);
         insphere->certain = insphere->factor * product * lift + s->tiny;
         insphere->quantum = paradt__quantum(k * unit + lift_unit);
         s->orient_certain = paradt__larger(s->orient_certain, orient->certain);
@@ -2681,9 +2700,14 @@ PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, cons
 
 #define PARADT__UNDECIDED 2
 
-// The last step of each filter. largest: the product of the columns' largest entries
+// The bound for a determinant of some points. largest: the product of the columns' largest entries
+PARADT__INLINE double paradt__filter_error(const paradt__space *s, double largest, const paradt__bounds *b) {
+    return b->factor * largest + s->tiny;
+}
+
+// The last step of each filter
 PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest, const paradt__bounds *b) {
-    double error = b->factor * largest + s->tiny;
+    double error = paradt__filter_error(s, largest, b);
     if (value > error) return 1;
     if (value < -error) return -1;
     if (paradt__abs(value) + error >= b->quantum) return PARADT__UNDECIDED;
@@ -2696,8 +2720,10 @@ PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const 
     const double *o = p[0], *a = p[1], *b = p[2];
     double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
     double det = ax * by - bx * ay;
+    PARADT_CLAIM(determinant, s, p + 1, o, 2, 2, 2, 0, det, 0.0, &s->orient[2]);
     if (paradt__abs(det) > s->orient[2].certain) return det > 0 ? 1 : -1;
     double x = paradt__larger(paradt__abs(ax), paradt__abs(bx)), y = paradt__larger(paradt__abs(ay), paradt__abs(by));
+    PARADT_CLAIM(determinant, s, p + 1, o, 2, 2, 2, 0, det, x * y, &s->orient[2]);
     return paradt__decide(s, det, x * y, &s->orient[2]);
 }
 
@@ -2709,8 +2735,11 @@ PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const 
     double z[3] = {a[2] - o[2], b[2] - o[2], c[2] - o[2]};
     double det =
         (x[0] * y[1] - x[1] * y[0]) * z[2] + (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1];
+    PARADT_CLAIM(determinant, s, p + 1, o, 3, 3, 3, 0, det, 0.0, &s->orient[3]);
     if (paradt__abs(det) > s->orient[3].certain) return det > 0 ? 1 : -1;
-    return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3), &s->orient[3]);
+    double largest = paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3);
+    PARADT_CLAIM(determinant, s, p + 1, o, 3, 3, 3, 0, det, largest, &s->orient[3]);
+    return paradt__decide(s, det, largest, &s->orient[3]);
 }
 
 // Completes the lift of the point a over the base o: adds the squares of coordinates k..d - 1 to `lift`, the sum of the
@@ -2733,9 +2762,11 @@ PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *cons
     }
     det = (x[0] * y[1] - x[1] * y[0]) * lift[2] + (x[1] * y[2] - x[2] * y[1]) * lift[0] +
           (x[2] * y[0] - x[0] * y[2]) * lift[1];
+    PARADT_CLAIM(determinant, s, p, o, 3, 2, d, weighted, det, 0.0, &s->insphere[2]);
     if (paradt__abs(det) > s->insphere[2].certain) return det > 0 ? 1 : -1;
-    return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(size, 3),
-                          &s->insphere[2]);
+    double largest = paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(size, 3);
+    PARADT_CLAIM(determinant, s, p, o, 3, 2, d, weighted, det, largest, &s->insphere[2]);
+    return paradt__decide(s, det, largest, &s->insphere[2]);
 }
 
 // The sum of the sizes of all monomials of four rows. It is at most 24 times the product of the columns' largest
@@ -2771,11 +2802,15 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     double xyz230 = xy23 * z[0] + xy30 * z[2] + xy02 * z[3], xyz301 = xy30 * z[1] + xy01 * z[3] + xy13 * z[0];
     // minus the determinant of the rows (x, y, z, lift): in odd dimensions its sign is negative inside
     det = (xyz123 * lift[0] - xyz230 * lift[1]) + (xyz301 * lift[2] - xyz012 * lift[3]);
+    PARADT_CLAIM(determinant, s, p, o, 4, 3, d, weighted, det, 0.0, &s->insphere[3]);
     if (paradt__abs(det) > s->insphere[3].certain) return det > 0 ? 1 : -1;
     double largest = paradt__largest(x, 4) * paradt__largest(y, 4) * paradt__largest(z, 4) * paradt__largest(size, 4);
+    PARADT_CLAIM(determinant, s, p, o, 4, 3, d, weighted, det, largest, &s->insphere[3]);
     int sign = paradt__decide(s, det, largest, &s->insphere[3]);
     if (sign != PARADT__UNDECIDED) return sign;
-    return paradt__decide(s, det, paradt__monomials4(x, y, z, size) / 24, &s->insphere[3]);
+    largest = paradt__monomials4(x, y, z, size) / 24;
+    PARADT_CLAIM(monomials, s, p, o, 4, 3, d, weighted, det, largest, &s->insphere[3]);
+    return paradt__decide(s, det, largest, &s->insphere[3]);
 }
 
 // The determinant of four of five rows, without row `out`. xy[i][j], zw[i][j]: the determinants of rows i and j in the
@@ -2811,9 +2846,12 @@ PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, con
         det = (det * lift[4] - paradt__without(xy, zw, 3) * lift[3]) +
               (paradt__without(xy, zw, 2) * lift[2] - paradt__without(xy, zw, 1) * lift[1]) +
               paradt__without(xy, zw, 0) * lift[0];
+    PARADT_CLAIM(determinant, s, p, base, n, 4, d, s->weighted, det, 0.0, b);
     if (paradt__abs(det) > b->certain) return det > 0 ? 1 : -1;
     for (int j = 0; j < 4; j++) largest *= paradt__largest(x[j], n);
-    return paradt__decide(s, det, n == 5 ? largest * paradt__largest(size, 5) : largest, b);
+    if (n == 5) largest *= paradt__largest(size, 5);
+    PARADT_CLAIM(determinant, s, p, base, n, 4, d, s->weighted, det, largest, b);
+    return paradt__decide(s, det, largest, b);
 }
 
 // Returns the determinant of n rows by elimination with pivots, or 0 if there is no pivot. Overwrites a.
@@ -2860,13 +2898,16 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
     }
     det = paradt__eliminate(a, n);
     if (n > k && k & 1) det = -det;
+    PARADT_CLAIM(determinant, s, p, base, n, k, d, s->weighted, det, 0.0, b);
     if (paradt__abs(det) > b->certain) return det > 0 ? 1 : -1;
     for (int j = 0; j < k; j++) { // elimination has overwritten the rows
         double most = 0;
         for (int i = 0; i < n; i++) most = paradt__larger(most, paradt__abs(p[i][j] - base[j]));
         largest *= most;
     }
-    return paradt__decide(s, det, n > k ? largest * paradt__largest(size, n) : largest, b);
+    if (n > k) largest *= paradt__largest(size, n);
+    PARADT_CLAIM(determinant, s, p, base, n, k, d, s->weighted, det, largest, b);
+    return paradt__decide(s, det, largest, b);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -3784,8 +3825,8 @@ PARADT__INLINE int paradt__space_of_few(paradt__space *s, const double *const *p
     s->tiny = paradt__power(-440); // more than that of paradt__space_end where the top is 100
     s->orient[k].certain = s->insphere[k].certain = paradt__power(1000); // more than any determinant
     s->orient[k].quantum = s->insphere[k].quantum = 0;
-    s->orient[k].factor = paradt__rounding(k, k);
-    s->insphere[k].factor = paradt__rounding(k, k + 1);
+    s->orient[k].factor = paradt__rounding(k, k, k, 0);
+    s->insphere[k].factor = paradt__rounding(k, k + 1, k, 0);
     return fits && paradt__precise();
 }
 
@@ -5701,28 +5742,33 @@ static void paradt__digits_of(double x, int top, int64_t *digits) {
 
 // Returns r^2 - |x - o|^2, where r^2 = squared * 2^(2 top - 54) and o is in digits. Every coordinate is cut off below
 // 2^(top - 108), which is an error of at most d 2^(2 top - 104); the sum is exact up to its last rounding to a double,
-// of at most 2^-48 of itself.
-static double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITTA_DIGITS], int64_t squared, int top,
-                              int ambient) {
+// of at most 2^-48 of itself. unit: 2^(2 top - 54)
+PARADT__INLINE double paradt__sagitta(const double *x, const int64_t (*o)[PARADT__SAGITTA_DIGITS], int64_t squared,
+                                      int top, double unit, int ambient) {
     enum { LAST = 2 * PARADT__SAGITTA_DIGITS - 2 };
-    int64_t level[LAST + 1] = {0}, d[PARADT__SAGITTA_DIGITS], carry;
+    int64_t level[LAST + 1] = {0}, d[PARADT__SAGITTA_DIGITS];
     double sum = 0.0;
     int i, j, k;
     for (j = 0; j < ambient; j++) { // each adds less than 2^57 to a level
         paradt__digits_of(x[j], top, d);
         for (i = 0; i < PARADT__SAGITTA_DIGITS; i++) d[i] -= o[j][i];
+        PARADT__UNROLL
         for (i = 0; i < PARADT__SAGITTA_DIGITS; i++) {
-            for (k = 0; k < PARADT__SAGITTA_DIGITS; k++) level[i + k] += d[i] * d[k];
+            level[2 * i] += d[i] * d[i];
+            PARADT__UNROLL
+            for (k = i + 1; k < PARADT__SAGITTA_DIGITS; k++) level[i + k] += 2 * d[i] * d[k];
         }
     }
     level[0] -= squared;
-    for (i = LAST; i > 0; i--) { // leaves digits of at most 2^26 in size below the first
-        carry = (level[i] + (1 << 26)) / (1 << 27) - (level[i] + (1 << 26) < 0);
-        level[i] -= carry * (1 << 27);
-        level[i - 1] += carry;
+    PARADT__UNROLL
+    for (i = LAST; i > 0; i--) { // leaves digits of at most 2^26 in size below the first; rounded: a multiple of 2^27
+        int64_t middle = level[i] + (1 << 26), rounded = middle - (int64_t)((uint64_t)middle & 0x7ffffff);
+        level[i] -= rounded;
+        level[i - 1] += rounded / (1 << 27);
     }
-    for (i = LAST; i >= 0; i--) sum += (double)level[i] * paradt__power(2 * top - 54 - 27 * i);
-    return -sum;
+    PARADT__UNROLL
+    for (i = LAST; i >= 0; i--) sum = sum * (1.0 / (1 << 27)) + (double)level[i];
+    return -sum * unit;
 }
 
 // Returns the exponent of a power of two that is at least twice the radius and, as sagittas need, over four times the
@@ -5751,7 +5797,8 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
                                           paradt__meter *meter, paradt__memory *memory, int *nearby) {
     int ambient = set->space.ambient, top = paradt__sphere_top(set, radius2), j;
     int64_t o[PARADT_MAX_DIM][PARADT__SAGITTA_DIGITS], squared;
-    double largest = 0.0, *records;
+    const int64_t(*digits)[PARADT__SAGITTA_DIGITS] = (const int64_t(*)[PARADT__SAGITTA_DIGITS])o;
+    double largest = 0.0, unit = paradt__power(2 * top - 54), *records;
     size_t i, width = set->width;
     PARADT_ASSERT(capacity >= set->count && set->grade == PARADT__UNGRADED);
     *nearby = radius2 < paradt__power(2 * top);
@@ -5772,7 +5819,9 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
         memcpy(to, set->records + i * width, width * sizeof(double));
         *nearby = paradt__largest(to, ambient) < paradt__power(top);
         if (!*nearby) break;
-        to[ambient] = paradt__sagitta(to, (const int64_t(*)[PARADT__SAGITTA_DIGITS])o, squared, top, ambient);
+        if (ambient == 2) to[2] = paradt__sagitta(to, digits, squared, top, unit, 2);
+        else if (PARADT_MAX_DIM > 2 && ambient == 3) to[3] = paradt__sagitta(to, digits, squared, top, unit, 3);
+        else to[ambient] = paradt__sagitta(to, digits, squared, top, unit, ambient);
         largest = paradt__larger(largest, paradt__abs(to[ambient]));
         *nearby = largest < radius2 * nearness;
     }
@@ -5790,6 +5839,7 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
 static void paradt__set_grade_bounds(paradt__set *set, double largest) {
     set->grade_limit = largest * 1.0000001;
     set->grade_error += largest * paradt__power(-48);
+    PARADT_CLAIM(sagittas, set);
 }
 
 // Gives the records their sagittas, if the set is near to a sphere and spans all its axes; else leaves it as it is.
@@ -6197,10 +6247,10 @@ PARADT__INLINE int paradt__same_facet(const paradt_index *vertices, paradt_index
 
 // --- the star of a vertex
 
-enum {
-    PARADT__STAR_CELLS = 256, // that a star holds at most; some more are found with the last
-    PARADT__STAR_PLACES = 512
-};
+#if !defined(PARADT__STAR_CELLS) // tests make it smaller
+#define PARADT__STAR_CELLS 256   // that a star holds at most; some more are found with the last
+#endif
+enum { PARADT__STAR_PLACES = 512 };
 
 typedef struct paradt__star {
     size_t count; // more than PARADT__STAR_CELLS: there are too many, and the star is not complete
@@ -6908,6 +6958,7 @@ PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell
         int facet = -1;
         if (corners == 3) paradt__sides_in_plane(scene, row, x, values);
         else paradt__sides_in_space(scene, row, x, values);
+        PARADT_CLAIM(sides, scene, row, x, values, certain, corners);
         for (i = 0; i < corners; i++) {
             double value = i == from ? 0.0 : values[i];
             facet = value < least ? i : facet;
@@ -8366,6 +8417,7 @@ PARADT__INLINE void paradt__search_point_of_shape(paradt__search *s, size_t posi
     } else {
         f_bound = n_bound = PARADT__NO_BOUND;
     }
+    PARADT_CLAIM(search, s, x, f, f_bound, n, n_bound);
     if (s->aim != PARADT__AIM_CONFLICT) {
         if (n < -n_bound || (n <= n_bound && !paradt__pencil_is_outside(&s->pencil, x))) return;
     }
@@ -8405,6 +8457,7 @@ static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, 
     const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, scratch);
     unsigned mask = s->kernels.cell(&s->pencil.q, lanes, f_bound, n_bound);
     int i;
+    PARADT_CLAIM(lanes, s, cell * PARADT__LANES, (size_t)1, ~mask);
     s->distance_evaluations += PARADT__LANES;
     s->grid_cells_visited++;
     if (!mask) return;
@@ -8448,6 +8501,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
     mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
     if (s->aim == PARADT__AIM_BEYOND) mask = paradt__pencil_boxes_beyond(&s->pencil, boxes, mask);
+    PARADT_CLAIM(lanes, s, first * span, span, ~mask & remaining);
     while (mask && !s->found) {
         lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
@@ -8462,6 +8516,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
             changes = s->pencil.changes;
             growths = s->pencil.growths;
             mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
+            PARADT_CLAIM(lanes, s, first * span, span, ~mask & remaining);
         }
     }
 }
@@ -9395,7 +9450,9 @@ static paradt_status paradt__incode(paradt__front *front) {
 // positions in the set. Doors: paradt__dewall, and for walls that are tasks paradt__wall_of, paradt__wall_begin,
 // paradt__wall_raise, paradt__wall_build, paradt__wall_activate.
 
-enum { PARADT__WALL_SMALL = 64 }; // so few points are not divided further
+#if !defined(PARADT__WALL_SMALL) // tests make it smaller
+#define PARADT__WALL_SMALL 64    // so few points are not divided further
+#endif
 
 // A range of positions, the plane that divides it, and work lists of active facets
 typedef struct paradt__wall {
@@ -9718,8 +9775,10 @@ struct paradt__insertion;
 
 // Is told of each cavity when it has been dug, before it is starred: update.killed and the rim are filled, and the mesh
 // is still as it was. It makes the room that starring takes, so that nothing fails afterwards, or says why not.
+// A point that is inserted by flips makes a cavity with each of them, and `filled` is told of their cells, too.
 typedef struct paradt__witness {
     paradt_status (*dug)(struct paradt__witness *witness, struct paradt__insertion *build);
+    void (*filled)(struct paradt__witness *witness, struct paradt__insertion *build);
 } paradt__witness;
 
 // An insertion of points, from its first cells on
@@ -10145,7 +10204,8 @@ typedef struct paradt__kept {
     double steepness;     // of ghosts: 2^60 times the root of box_square
     double zero_below;    // a power of less than this in size is 0
     paradt__centred next; // the point to be inserted next
-    paradt_index start;   // where the search for it begins: of the last new cells the one with its least power
+    paradt_index start;   // where the search for it begins: of the last new cells the one with its least power, in the
+                          // plane the one that it lies towards
 
     // Since the last call of paradt__kept_adapt: new cells; spheres made again; powers in doubt that the filter decided
     size_t made_count, missed_count, doubtful_count;
@@ -10156,8 +10216,9 @@ typedef struct paradt__kept {
 
     // In space the vertices of a cavity have numbers. That of v is number[v + 1], and number - first is its offset in
     // bytes in `spokes`. Numbers go on from cavity to cavity; one that is less than `first` is of an earlier cavity.
+    // In the plane they are there when a cavity first needs them.
     uint32_t *number;                        // [numbers]
-    size_t numbers;                          // at least points + 1
+    size_t numbers, numbers_wanted;          // wanted: at least points + 1
     uint32_t first, next_number, spokes_end; // spokes_end: the offset behind the last vertex
     paradt__spoke spokes[(int)PARADT__RIM_VERTICES + (int)PARADT__DIG_BATCH + 4]; // see paradt__kept_limit_numbers
 
@@ -10512,6 +10573,7 @@ PARADT__INLINE unsigned paradt__kept_settle_any(paradt__insertion *build, paradt
     double power;
     if (sphere->tag & PARADT__IN_CAVITY) return 1;
     power = paradt__kept_power(sphere, centred, corners);
+    PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, x, power);
     if (paradt__abs(power) > sphere->error) return power < 0.0;
     if (paradt__abs(power) + sphere->error < s->zero_below) return paradt__kept_tie(build, cell, x, corners);
     return corners == 4 ? paradt__kept_decide_space(build, cell, x) : paradt__kept_decide_plane(build, cell, x);
@@ -10559,11 +10621,12 @@ PARADT__NOINLINE void paradt__kept_adapt(paradt__insertion *build) {
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
 }
 
-// Makes room for the numbers of more vertices. Returns 0 if there is no memory.
+// Makes room for the numbers of so many vertices, that of the infinite one included. Returns 0 if there is no memory.
 static int paradt__kept_more_numbers(paradt__insertion *build, size_t numbers) {
     paradt__kept *s = build->kept;
     void *array = s->number;
-    PARADT_ASSERT(numbers > s->numbers);
+    if (s->numbers_wanted < numbers) s->numbers_wanted = numbers;
+    if (numbers <= s->numbers) return 1;
     if (!paradt__grow(build->memory, &array, s->numbers, numbers, sizeof *s->number)) return 0;
     s->number = (uint32_t *)array;
     paradt__make_pages(s->number, s->numbers * sizeof *s->number, numbers * sizeof *s->number);
@@ -10613,7 +10676,7 @@ static void paradt__kept_forget(paradt__insertion *build) {
     paradt__kept *s = build->kept;
     size_t i;
     for (i = 0; i <= s->mask; i++) s->table[i].tag = PARADT__NO_SPHERE;
-    memset(s->number, 0, s->numbers * sizeof *s->number);
+    if (s->numbers) memset(s->number, 0, s->numbers * sizeof *s->number);
     s->next_number = PARADT__NUMBER_STEP;
     s->evicted = 0;
     paradt__kept_measure(build);
@@ -10648,7 +10711,8 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
     s->corners = build->scene.mesh.corners;
     s->mask = (paradt__tag)(size - 1);
     s->table = paradt__on_cache_line(s + 1);
-    if (!paradt__kept_more_numbers(build, build->count + 1)) return PARADT_ERROR_MEMORY;
+    s->numbers_wanted = build->count + 1;
+    if (space && !paradt__kept_more_numbers(build, s->numbers_wanted)) return PARADT_ERROR_MEMORY;
     s->next_number = PARADT__NUMBER_STEP;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     paradt__kept_measure(build);
@@ -10709,6 +10773,7 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
     paradt_index cell = build->kept->start;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
     double power = paradt__rounded(paradt__kept_power(sphere, centred, corners)), error = sphere->error;
+    PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, x, power);
     while (power >= -error) {
         const paradt_index *links = build->scene.mesh.links + (size_t)corners * (size_t)cell;
         double least = power;
@@ -10719,6 +10784,7 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
             double value;
             sphere = paradt__kept_sphere(build, other);
             value = paradt__rounded(paradt__kept_power(sphere, centred, corners));
+            PARADT_CLAIM(power, build, sphere, (paradt__tag)other, x, value);
             best = value < least ? other : best;
             error = value < least ? sphere->error : error;
             least = value < least ? value : least;
@@ -10817,6 +10883,7 @@ PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig
     paradt__sphere *sphere = dig->table + (other & dig->mask);
     double power = paradt__kept_power(sphere, centred, corners);
     unsigned conflict = power < 0.0;
+    PARADT_CLAIM(power, build, sphere, other, x, power);
     PARADT__PREFETCH(dig->links + (size_t)corners * (size_t)other);
     if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
         if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
@@ -11237,16 +11304,16 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
 // polygon there, so a new cell's neighbours are found by the vertex that they have in common, and vertices need no
 // numbers: kept->number has for each of the rim's vertices which of the new cells sees the rim from there on. Cavities
 // with more than PARADT__MOST_RIM facets are starred by >>insertion.
-// Doors: paradt__plane_spread, paradt__plane_spread_plain, paradt__plane_pad, paradt__plane_rows, paradt__plane_star,
-// paradt__plane_ghosts, paradt__plane_make_plain.
+// Doors: paradt__plane_spread, paradt__plane_pad, paradt__plane_rows, paradt__plane_star, paradt__plane_ghosts,
+// paradt__plane_make_plain, paradt__plane_dig, paradt__polygon_star, paradt__polygon_ghosts.
 
 // By place: from a handle in the plane to those of the cell's facets after it and before it. Tables, as compilers make
 // branches of choices, which processors can't predict here.
 static const ptrdiff_t paradt__plane_after[3] = {1, 1, -2}, paradt__plane_before[3] = {2, -1, -1};
 
-// The kernel `spread` in the plane, for cavities of any size
-PARADT__NOINLINE size_t paradt__plane_spread_large(paradt__insertion *build, paradt__dig *work,
-                                                   const paradt__centred *point, const double *x, size_t head) {
+// The kernel `spread` in the plane
+static size_t paradt__plane_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
+                                   const double *x, size_t head) {
     size_t cells = build->update.killed_capacity - PARADT__DIG_ROOM, facets = build->rim_capacity - PARADT__DIG_ROOM;
     paradt__dig dig = *work;
     paradt__centred centred = *point;
@@ -11262,77 +11329,98 @@ PARADT__NOINLINE size_t paradt__plane_spread_large(paradt__insertion *build, par
     return head;
 }
 
-// What is known of a cell of a small cavity before it is: of the two facets that it was not entered by the handles,
-// in this cell and across, and the cells across. All of it is found while the cell's power is computed, for processors
-// wait for the power: so when the cell is dug the next powers can be computed at once.
-typedef struct paradt__ahead {
-    paradt_index inner[2], mirror[2];
-    paradt__tag across[2];
-} paradt__ahead;
+enum {
+    PARADT__PLANE_TOGETHER = 4, // cells that are made together
+    PARADT__SMALL_CAVITY = 60,  // most cells of a small one
+    PARADT__SMALL_RIM = 64      // ... and more than the facets of its rim
+};
 
-enum { PARADT__SMALL_CAVITY = 64 }; // cells
+// The rim of a small cavity, as a polygon: its facets follow each other counter-clockwise
+typedef struct paradt__polygon {
+    paradt_index corner[PARADT__SMALL_RIM + PARADT__PLANE_TOGETHER]; // the vertex that the facet begins at
+    paradt_index outer[PARADT__SMALL_RIM + PARADT__PLANE_TOGETHER];  // the facet's mirror
+} paradt__polygon;
 
-// entry: the handle by which the cell was entered
-PARADT__INLINE void paradt__plane_find_ahead(const paradt__dig *dig, paradt_index entry, paradt__tag cell,
-                                             paradt__ahead *ahead) {
-    size_t place = (size_t)entry - 3 * (size_t)cell;
-    ahead->inner[0] = entry + (paradt_index)paradt__plane_after[place];
-    ahead->inner[1] = entry + (paradt_index)paradt__plane_before[place];
-    ahead->mirror[0] = dig->links[ahead->inner[0]];
-    ahead->mirror[1] = dig->links[ahead->inner[1]];
-    ahead->across[0] = paradt__kept_across(ahead->mirror[0], 3);
-    ahead->across[1] = paradt__kept_across(ahead->mirror[1], 3);
-}
+// A facet of a cell in the cavity, to which digging will come back
+typedef struct paradt__postponed {
+    paradt_index inner, mirror, corner;
+    unsigned conflict; // of the cell across
+} paradt__postponed;
 
-// paradt__kept_look for small cavities
-PARADT__INLINE void paradt__plane_look(paradt__insertion *build, paradt__dig *dig, paradt__ahead *ahead,
-                                       const paradt__centred *centred, const double *x, paradt_index inner,
-                                       paradt_index mirror, paradt__tag other) {
-    paradt__sphere *sphere = dig->table + (other & dig->mask);
+// Is the cell or ghost in conflict with the point?
+PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt__tag cell,
+                                                const paradt__centred *centred, const double *x) {
+    const paradt__sphere *sphere = build->kept->table + (cell & build->kept->mask);
     double power = paradt__kept_power(sphere, centred, 3);
-    unsigned conflict = power < 0.0;
-    paradt__plane_find_ahead(dig, mirror, other, ahead + dig->killed_count);
-    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
-        if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
-            dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
-            return;
+    PARADT_CLAIM(power, build, sphere, cell, x, power);
+    if (PARADT__LIKELY((sphere->tag == cell) & (paradt__abs(power) > sphere->error))) return power < 0.0;
+    return paradt__kept_settle_plane(build, (paradt_index)cell, centred, x);
+}
+
+// Digs a small cavity depth first, so that the facets of the rim follow each other. Without weights no vertex is inside
+// of a cavity, so that its cells hang together as a tree, and no cell is come to twice: none needs a mark. Fills
+// update.killed, the rim and the polygon. Returns 0 if the cavity is not small; then nothing has changed.
+PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index first, const paradt__centred *point,
+                                     const double *x, paradt__polygon *polygon) {
+    const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
+    paradt_index *killed = build->update.killed, *rim = build->rim, entry = 3 * first;
+    paradt__tag cell = (paradt__tag)first;
+    paradt__postponed later[PARADT__SMALL_CAVITY + 1];
+    const paradt__centred centred = *point;
+    size_t cells = 0, facets = 0;
+    int waiting = 1;
+    later[0].inner = entry; // the facet by which no other cell leads to the first one
+    later[0].mirror = links[entry];
+    later[0].corner = vertices[entry + 1];
+    later[0].conflict = paradt__plane_conflicts(build, paradt__kept_across(later[0].mirror, 3), &centred, x);
+    while (cells < PARADT__SMALL_CAVITY) {
+        const size_t place = (size_t)entry - 3 * (size_t)cell;
+        const paradt_index after = entry + (paradt_index)paradt__plane_after[place],
+                           before = entry + (paradt_index)paradt__plane_before[place];
+        const paradt_index mirror = links[after], other = links[before];
+        const paradt__tag across = paradt__kept_across(mirror, 3), beside = paradt__kept_across(other, 3);
+        const unsigned conflict = paradt__plane_conflicts(build, across, &centred, x);
+        const unsigned postponed = paradt__plane_conflicts(build, beside, &centred, x);
+        killed[cells++] = 3 * (paradt_index)cell;
+        if (conflict) {
+            later[waiting].inner = before;
+            later[waiting].mirror = other;
+            later[waiting].corner = vertices[entry];
+            later[waiting].conflict = postponed;
+            waiting++;
+            entry = mirror;
+            cell = across;
+            continue;
         }
-        conflict = paradt__kept_settle(build, (paradt_index)other, centred, x, 3);
+        rim[facets] = after;
+        polygon->corner[facets] = vertices[before];
+        polygon->outer[facets++] = mirror;
+        if (postponed) {
+            entry = other;
+            cell = beside;
+            continue;
+        }
+        rim[facets] = before;
+        polygon->corner[facets] = vertices[entry];
+        polygon->outer[facets++] = other;
+        while (waiting && !later[waiting - 1].conflict) {
+            waiting--;
+            rim[facets] = later[waiting].inner;
+            polygon->corner[facets] = later[waiting].corner;
+            polygon->outer[facets++] = later[waiting].mirror;
+        }
+        if (!waiting) {
+            build->update.killed_count = cells;
+            build->rim_count = facets;
+            PARADT_ASSERT(facets == cells + 2);
+            return 1;
+        }
+        waiting--;
+        entry = later[waiting].mirror;
+        cell = paradt__kept_across(entry, 3);
     }
-    paradt__kept_judge(dig, inner, mirror, sphere, conflict);
+    return 0;
 }
-
-// The kernel `spread` in the plane, fast as long as the cavity is small. Then the lists have room: they begin with room
-// for PARADT__FIRST_DIG.
-PARADT__INLINE size_t paradt__plane_spread(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
-                                           const double *x, size_t head) {
-    paradt__ahead ahead[PARADT__SMALL_CAVITY];
-    paradt__dig dig = *work;
-    paradt__centred centred = *point;
-    size_t i;
-    if (dig.killed_count > PARADT__SMALL_CAVITY - 2) return paradt__plane_spread_large(build, work, point, x, head);
-    for (i = head; i < dig.killed_count; i++)
-        paradt__plane_find_ahead(&dig, dig.killed[i], paradt__kept_across(dig.killed[i], 3), ahead + i);
-    if (!head) {
-        paradt_index mirror = dig.links[dig.killed[0]];
-        paradt__plane_look(build, &dig, ahead, &centred, x, dig.killed[0], mirror, paradt__kept_across(mirror, 3));
-    }
-    for (; head < dig.killed_count && dig.killed_count <= PARADT__SMALL_CAVITY - 2; head++) {
-        const paradt__ahead at = ahead[head];
-        dig.killed[head] = 3 * (paradt_index)paradt__kept_across(dig.killed[head], 3);
-        paradt__plane_look(build, &dig, ahead, &centred, x, at.inner[0], at.mirror[0], at.across[0]);
-        paradt__plane_look(build, &dig, ahead, &centred, x, at.inner[1], at.mirror[1], at.across[1]);
-    }
-    *work = dig;
-    return head;
-}
-
-static size_t paradt__plane_spread_plain(paradt__insertion *build, paradt__dig *work, const paradt__centred *point,
-                                         const double *x, size_t head) {
-    return paradt__plane_spread(build, work, point, x, head);
-}
-
-enum { PARADT__PLANE_TOGETHER = 4 }; // cells that are made together
 
 // Fills kept->row, kept->outer and the numbers of the rim's vertices: of the new cells that see the rim from there on.
 // Sets kept->ghosts.
@@ -11420,13 +11508,66 @@ PARADT__NOINLINE void paradt__plane_ghosts(paradt__insertion *build, paradt__new
     for (i = count - 2; i < count + 1; i++) star->base[i] = star->base[0];
 }
 
-// The kernel `make` in the plane
+// Stores the new cells on the facets of the polygon at their places, and links them; what is behind the last facet and
+// the last place repeats them, but for the corner, which is the first one's.
+PARADT__INLINE void paradt__polygon_star(paradt__insertion *build, paradt__polygon *polygon, paradt_index point) {
+    paradt_index *made = build->update.made, *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
+    paradt_index ghosts = 0, last, a;
+    size_t i, count = build->rim_count;
+    polygon->corner[count] = polygon->corner[0];
+    last = made[count - 1];
+    a = polygon->corner[0];
+    for (i = 0; i < count; i++) {
+        paradt_index base = made[i], outer = polygon->outer[i], b = polygon->corner[i + 1];
+        vertices[base] = a;
+        vertices[base + 1] = b;
+        vertices[base + 2] = point;
+        links[base + 1] = last;
+        links[last] = base + 1;
+        links[base + 2] = outer;
+        links[outer] = base + 2;
+        ghosts |= a;
+        last = base;
+        a = b;
+    }
+    build->kept->ghosts = ghosts < 0;
+}
+
+// Makes the functions of the two ghosts among the new cells, and fills `star` with the others: those between them.
+PARADT__NOINLINE void paradt__polygon_ghosts(paradt__insertion *build, paradt__new_cells *star, const double *x,
+                                             const paradt__centred *centred, const paradt__polygon *polygon) {
+    paradt__kept *s = build->kept;
+    const paradt_index *made = build->update.made;
+    size_t count = build->rim_count, from = 0, to, i;
+    paradt__tag a, b;
+    while (polygon->corner[from] >= 0) from++;
+    to = from ? from - 1 : count - 1;
+    a = paradt__kept_across(made[from], 3);
+    b = paradt__kept_across(made[to], 3);
+    paradt__sphere_of_edge(s, s->table + (a & s->mask), centred,
+                           paradt__scene_record(&build->scene, polygon->corner[from + 1]), x);
+    paradt__sphere_of_edge(s, s->table + (b & s->mask), centred, x,
+                           paradt__scene_record(&build->scene, polygon->corner[to]));
+    s->table[a & s->mask].tag = a;
+    s->table[b & s->mask].tag = b;
+    s->start = (paradt_index)(paradt__sphere_power(s->table + (a & s->mask), &s->next) < 0.0 ? a : b);
+    star->count = (int)(count - 2);
+    for (i = 0; i < count; i += PARADT__PLANE_TOGETHER)
+        memcpy(s->finite_base + i, made + i, PARADT__PLANE_TOGETHER * sizeof *made);
+    for (i = 0; i < count; i += PARADT__PLANE_TOGETHER)
+        memcpy(s->finite_base + count + i, made + i, PARADT__PLANE_TOGETHER * sizeof *made);
+    star->base = s->finite_base + from + 1;
+    for (i = count - 2; i < count + 1; i++) star->base[i] = star->base[0];
+}
+
+// The kernel `make` in the plane. The search for the next point starts at the cell that this point lies towards, as
+// seen from the new one: it is known before the circles are, so that processors need not wait for these.
 PARADT__INLINE void paradt__plane_make_any(paradt__making making, const paradt__insertion *build,
                                            paradt__new_cells *star, const double *x, const paradt__centred *centred) {
     paradt__kept *s = build->kept;
     const paradt__frame frame = s->frame;
     paradt__centred p = paradt__base_of(making, 3, *centred, x), next = s->next;
-    double least = PARADT__NO_ERROR_BOUND;
+    const double to_x = next.s[0] - p.s[0], to_y = next.s[1] - p.s[1];
     int i;
     for (i = 0; i < star->count; i++) {
         const paradt_index *row = build->scene.mesh.vertices + star->base[i];
@@ -11434,12 +11575,10 @@ PARADT__INLINE void paradt__plane_make_any(paradt__making making, const paradt__
         paradt__sphere *circle = s->table + (cell & s->mask);
         paradt__spoke a = paradt__spoke_of(making, 3, x, paradt__scene_record(&build->scene, row[0]));
         paradt__spoke b = paradt__spoke_of(making, 3, x, paradt__scene_record(&build->scene, row[1]));
-        double power;
         paradt__circle_make(making, &frame, &p, a.edge, b.edge, circle);
         circle->tag = cell;
-        power = paradt__kept_power(circle, &next, 3);
-        s->start = power < least ? (paradt_index)cell : s->start;
-        least = power < least ? power : least;
+        if ((a.edge[0] * to_y >= a.edge[1] * to_x) & (b.edge[0] * to_y < b.edge[1] * to_x))
+            s->start = (paradt_index)cell;
     }
 }
 
@@ -11481,9 +11620,9 @@ PARADT__INLINE paradt_status paradt__kept_places(paradt__insertion *build, int c
     return PARADT_OK;
 }
 
-// Makes the spheres of the new cells, and chooses where the search for the next point starts.
+// Makes the spheres of the new cells, and chooses where the search for the next point starts. polygon: NULL, or the rim
 PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double *x, const paradt__centred *centred,
-                                         const paradt__kept_kernels *kernels) {
+                                         const paradt__polygon *polygon, const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     paradt__new_cells star;
     star.base = build->update.made;
@@ -11492,6 +11631,7 @@ PARADT__INLINE void paradt__kept_spheres(paradt__insertion *build, const double 
     s->start = (paradt_index)paradt__kept_across(build->update.made[0], kernels->corners);
     if (!PARADT__LIKELY(!s->ghosts)) {
         if (kernels->corners == 4) paradt__kept_ghosts(build, &star, x, centred);
+        else if (polygon) paradt__polygon_ghosts(build, &star, x, centred, polygon);
         else paradt__plane_ghosts(build, &star, x, centred);
     }
     if (star.count) kernels->make(build, &star, x, centred);
@@ -11569,18 +11709,16 @@ PARADT__INLINE int paradt__kept_is_common(const paradt__insertion *build, int co
     return build->kept->spokes_end <= (int)PARADT__COMMON_VERTICES * (int)PARADT__NUMBER_STEP;
 }
 
-// Inserts a point that is kept->next: locate, dig, star. Inlined with constant kernels
-PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
-                                                     const paradt__kept_kernels *kernels) {
+// Inserts a point that is kept->next into the cavity that `first` is a cell of: dig, star. Inlined with constant
+// kernels
+PARADT__INLINE paradt_status paradt__kept_insert_at(paradt__insertion *build, paradt_index point, paradt_index first,
+                                                    const paradt__centred *centred,
+                                                    const paradt__kept_kernels *kernels) {
     paradt__kept *s = build->kept;
     const int corners = kernels->corners;
     const double *x = paradt__scene_record(&build->scene, point);
-    paradt__centred centred = s->next;
-    paradt_index first = paradt__kept_locate(build, &centred, x, corners);
-    paradt_status status;
+    paradt_status status = paradt__kept_dig(build, first, centred, x, kernels);
     int is_common;
-    if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
-    status = paradt__kept_dig(build, first, &centred, x, kernels);
     if (!PARADT__LIKELY(!build->witness) && !status) status = build->witness->dug(build->witness, build);
     if (status) return status;
     paradt__kept_look_ahead(build);
@@ -11600,10 +11738,54 @@ PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, p
                               kernels->store_links);
         else paradt__kept_link_uncommon(build);
     }
-    paradt__kept_spheres(build, x, &centred, kernels);
+    paradt__kept_spheres(build, x, centred, NULL, kernels);
     PARADT_ASSERT(build->update.made_count == build->rim_count);
     return build->rim_count < build->update.killed_count ? paradt__kept_clear(build, build->rim_count, corners)
                                                          : PARADT_OK;
+}
+
+// Inserts a point that is kept->next in space: locate, dig, star.
+PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, paradt_index point,
+                                                     const paradt__kept_kernels *kernels) {
+    paradt__centred centred = build->kept->next;
+    paradt_index first =
+        paradt__kept_locate(build, &centred, paradt__scene_record(&build->scene, point), kernels->corners);
+    if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
+    return paradt__kept_insert_at(build, point, first, &centred, kernels);
+}
+
+// The same in the plane where the cavity is no small one, or there are weights
+PARADT__NOINLINE paradt_status paradt__plane_insert_large(paradt__insertion *build, paradt_index point,
+                                                          paradt_index first, const paradt__centred *centred,
+                                                          const paradt__kept_kernels *kernels) {
+    paradt__kept_kernels plane = *kernels;
+    plane.corners = 3;
+    if (!paradt__kept_more_numbers(build, build->kept->numbers_wanted)) return PARADT_ERROR_MEMORY;
+    return paradt__kept_insert_at(build, point, first, centred, &plane);
+}
+
+// The same in the plane: where the cavity is small the rim is a polygon.
+PARADT__INLINE paradt_status paradt__plane_insert_any(paradt__insertion *build, paradt_index point,
+                                                      const paradt__kept_kernels *kernels) {
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt__centred centred = build->kept->next;
+    paradt_index first = paradt__kept_locate(build, &centred, x, 3);
+    paradt__polygon polygon;
+    paradt_status status;
+    if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
+    if (build->scene.space.weighted || !paradt__plane_dig(build, first, &centred, x, &polygon))
+        return paradt__plane_insert_large(build, point, first, &centred, kernels);
+    status = build->witness ? build->witness->dug(build->witness, build) : PARADT_OK;
+    if (status) return status;
+    paradt__kept_look_ahead(build);
+    paradt__kept_dug(build);
+    status = paradt__kept_places(build, 3);
+    if (status) return status;
+    paradt__polygon_star(build, &polygon, point);
+    paradt__plane_pad(build);
+    paradt__kept_spheres(build, x, &centred, &polygon, kernels);
+    PARADT_ASSERT(build->update.made_count == build->rim_count);
+    return PARADT_OK;
 }
 
 // Inserts the point kept->next, by plain kernels.
@@ -11620,8 +11802,8 @@ static paradt_status paradt__kept_insert(paradt__insertion *build, paradt_index 
 // The same in the plane
 static paradt_status paradt__plane_insert(paradt__insertion *build, paradt_index point) {
     const paradt__kept_kernels kernels = {
-        3, paradt__plane_spread_plain, paradt__kept_remake_plain, paradt__plane_make_plain, NULL, NULL};
-    return paradt__kept_insert_any(build, point, &kernels);
+        3, paradt__plane_spread, paradt__kept_remake_plain, paradt__plane_make_plain, NULL, NULL};
+    return paradt__plane_insert_any(build, point, &kernels);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -11755,6 +11937,7 @@ PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, pa
         paradt__four_slots at = paradt__four_across(&dig, row);
         __m256d power = paradt__four_powers(at, query, lift), error = paradt__four_errors(at);
         unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
+        PARADT_CLAIM(powers, build, dig.table, dig.mask, row, x, (const double *)&power);
         here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
         *cell = base;
         paradt__kept_number(&dig, dig.vertices[entry]);
@@ -12136,11 +12319,6 @@ PARADT__AVX2 static paradt_status paradt__kept_insert_avx2(paradt__insertion *bu
 // Doors: paradt__plane_insert_avx2.
 
 #if defined(PARADT__KEPT_AVX2)
-PARADT__AVX2 static size_t paradt__plane_spread_avx2(paradt__insertion *build, paradt__dig *work,
-                                                     const paradt__centred *point, const double *x, size_t head) {
-    return paradt__plane_spread(build, work, point, x, head);
-}
-
 // Makes the circles of four cells, as paradt__circle_make does. p: by axis, and what the constants have of its lift; a,
 // b: by axis, and as in a spoke
 PARADT__AVX2 PARADT__INLINE void paradt__four_circles(paradt__making making, const paradt__frame *f, const __m256d *p,
@@ -12213,30 +12391,28 @@ PARADT__AVX2 PARADT__INLINE void paradt__plane_make_four(paradt__making making, 
     const double lift = paradt__base_of(making, 3, *centred, x).lift;
     const __m256d p[4] = {_mm256_set1_pd(centred->s[0]), _mm256_set1_pd(centred->s[1]), _mm256_setzero_pd(),
                           _mm256_set1_pd(making == PARADT__MAKE_GRADED ? -lift : lift)};
-    const __m256d next[2] = {_mm256_set1_pd(s->next.s[0]), _mm256_set1_pd(s->next.s[1])};
+    const __m256d next[2] = {_mm256_set1_pd(s->next.s[0] - centred->s[0]),
+                             _mm256_set1_pd(s->next.s[1] - centred->s[1])};
     const paradt__frame frame = s->frame;
-    __m256d least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND);
-    __m128i best = _mm_set1_epi32(star->base[0] / 3);
+    uint64_t towards = 0;
     int i, count = star->count;
     for (i = 0; i < count; i += 4) {
         const paradt_index seconds[4] = {star->base[i] + 1, star->base[i + 1] + 1, star->base[i + 2] + 1,
                                          star->base[i + 3] + 1};
         // first handles are multiples of 3: this is their inverse, modulo 2^32
-        __m128i bases = _mm_loadu_si128((const __m128i *)(const void *)(star->base + i)), is_less;
+        __m128i bases = _mm_loadu_si128((const __m128i *)(const void *)(star->base + i));
         __m128i cells = _mm_mullo_epi32(bases, _mm_set1_epi32((int)0xaaaaaaab));
-        __m256d a[4], b[4], circle[4], error, power, less;
+        __m256d a[4], b[4], circle[4], error;
+        int left, right;
         paradt__four_plane_edges(making, build, star->base + i, point, a);
         paradt__four_plane_edges(making, build, seconds, point, b);
+        left = _mm256_movemask_pd(_mm256_fmsub_pd(a[0], next[1], _mm256_mul_pd(a[1], next[0])));
+        right = _mm256_movemask_pd(_mm256_fmsub_pd(b[0], next[1], _mm256_mul_pd(b[1], next[0])));
+        towards |= i < 64 ? (uint64_t)(unsigned)(right & ~left) << i : 0;
         paradt__four_circles(making, &frame, p, a, b, circle, &error);
         paradt__four_store(s->table, s->mask, cells, circle, error);
-        power = _mm256_fmadd_pd(circle[0], next[0], _mm256_fmadd_pd(circle[1], next[1], circle[3]));
-        less = _mm256_cmp_pd(power, least, _CMP_LT_OQ);
-        least = _mm256_min_pd(power, least);
-        is_less = _mm_castps_si128(_mm_shuffle_ps(_mm_castpd_ps(_mm256_castpd256_pd128(less)),
-                                                  _mm_castpd_ps(_mm256_extractf128_pd(less, 1)), 0x88));
-        best = _mm_blendv_epi8(best, cells, is_less);
     }
-    s->start = paradt__four_least(least, best);
+    if (towards) s->start = (paradt_index)paradt__kept_across(star->base[paradt__trailing_zeros(towards)], 3);
 }
 
 PARADT__AVX2 static void paradt__plane_make_avx2(const paradt__insertion *build, paradt__new_cells *star,
@@ -12251,8 +12427,8 @@ PARADT__AVX2 static void paradt__plane_make_avx2(const paradt__insertion *build,
 // Inserts the point kept->next in the plane, by these kernels.
 PARADT__AVX2 static paradt_status paradt__plane_insert_avx2(paradt__insertion *build, paradt_index point) {
     const paradt__kept_kernels kernels = {
-        3, paradt__plane_spread_avx2, paradt__kept_remake_plain, paradt__plane_make_avx2, NULL, NULL};
-    return paradt__kept_insert_any(build, point, &kernels);
+        3, paradt__plane_spread, paradt__kept_remake_plain, paradt__plane_make_avx2, NULL, NULL};
+    return paradt__plane_insert_any(build, point, &kernels);
 }
 #endif
 
@@ -12386,8 +12562,8 @@ static paradt_status paradt__insertion_go_on(paradt__insertion *build, paradt_in
     PARADT_ASSERT(*paradt__mesh_row(&build->scene.mesh, cell) != PARADT__DEAD);
     build->scene.hint = cell;
     if (!kept) return PARADT_OK;
-    if (numbers >= kept->numbers && !paradt__kept_more_numbers(build, numbers + numbers / 8 + 64))
-        return PARADT_ERROR_MEMORY;
+    if (numbers >= kept->numbers_wanted) kept->numbers_wanted = numbers + numbers / 8 + 64;
+    if (kept->corners == 4 && !paradt__kept_more_numbers(build, kept->numbers_wanted)) return PARADT_ERROR_MEMORY;
     kept->start = cell;
     kept->next = paradt__centred_of(kept, paradt__scene_record(&build->scene, first));
     return PARADT_OK;
@@ -13338,6 +13514,7 @@ PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space
         int keep = (int)(merged[i] & 1);
         double value = rows ? paradt__plane_value(plane, rows + (size_t)point * (size_t)terms, terms) : 0.0;
         paradt__tag its = rank[point];
+        PARADT_CLAIM(plane, g, row, plane, paradt__record(g->set, point), value, terms);
         if (PARADT__LIKELY(keep | (paradt__abs(value) > plane->error))) keep |= value < 0.0;
         else keep = paradt__graph_decide(g, space, row, paradt__record(g->set, point));
         merged[kept] = point;
@@ -14163,7 +14340,7 @@ PARADT__INLINE paradt_status paradt__nodes_room(paradt__nodes *nodes, size_t mor
 // beyond a facet of the cell, and empty where p is in the cell and no vertex yet: then the flip inserts p.
 // After Lawson, "Properties of n-dimensional triangulations", Computer Aided Geometric Design 3, 1986; the circuits and
 // their links: de Loera, Rambau, Santos, "Triangulations", 2010, section 4.4.
-// Doors: paradt__flipper_*, paradt__flip_sign, paradt__flip_collect, paradt__flip.
+// Doors: paradt__flipper_*, paradt__flip_sign, paradt__flip_collect, paradt__flip_room, paradt__flip.
 
 // The signs of a cell's coefficients, a bit for each place in its row. Both masks are 0 where no flip is wanted.
 typedef struct paradt__signs {
@@ -14537,7 +14714,8 @@ PARADT__INLINE paradt_index paradt__history_locate(const paradt__nodes *h, parad
 // moves heights alone, as if the lifted points were in general position, so that this holds in degenerate places, too.
 //
 // What is known of a cell is kept beside its place, as long as p is the same: each is asked once, from whatever facet.
-// Doors: paradt__insert_by_flips.
+// Doors: struct paradt__flips, paradt__flips_free, paradt__flips_room, paradt__flips_find, paradt__flips_insert,
+// paradt__flips_build, paradt__insert_by_flips.
 
 // What is kept with a place
 typedef struct paradt__flip_place {
@@ -14560,9 +14738,9 @@ typedef struct paradt__flips {
 } paradt__flips;
 
 // Makes room for so many new cells in the history and in the list of facets, and keeps something with all places.
-static paradt_status paradt__flips_room(paradt__flips *f, size_t made) {
-    paradt__memory *memory = f->flipper.build.memory;
-    size_t capacity = f->flipper.build.scene.mesh.capacity;
+static paradt_status paradt__flips_room(paradt__flips *f, const paradt__mesh *mesh, size_t made,
+                                        paradt__memory *memory) {
+    size_t capacity = mesh->capacity;
     paradt_status status = paradt__nodes_room(&f->history, made, memory);
     if (!status)
         status = paradt__list_room(&f->facets.items, f->facets.count, &f->facets.capacity, f->facets.count + 2 * made,
@@ -14597,7 +14775,8 @@ PARADT__INLINE void paradt__flips_bury(paradt__flips *f, paradt_index handle, in
 PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners) {
     const paradt__update *update = &f->flipper.build.update;
     const size_t positive = (size_t)f->flipper.positive, each = (size_t)f->flipper.negative + 1;
-    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_status status =
+        paradt__flips_room(f, &f->flipper.build.scene.mesh, update->made_count, f->flipper.build.memory);
     size_t i, j;
     for (i = 0; i < f->flipper.star.count && !status; i++) {
         paradt_index parent = f->at[update->killed[i * each] / corners].node;
@@ -14611,12 +14790,45 @@ PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners)
 static paradt_status paradt__flips_record_star(paradt__flips *f) {
     const paradt__update *update = &f->flipper.build.update;
     int corners = f->flipper.build.scene.mesh.corners;
-    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_status status =
+        paradt__flips_room(f, &f->flipper.build.scene.mesh, update->made_count, f->flipper.build.memory);
     paradt_index parent = f->at[update->killed[0] / corners].node;
     size_t i;
     for (i = 0; i < update->killed_count && !status; i++) paradt__flips_bury(f, update->killed[i], corners);
     for (i = 0; i < update->made_count && !status; i++) paradt__flips_enter(f, update->made[i], parent, corners);
     return status;
+}
+
+// Tells the witness of a flip that has been collected: what it kills, and the rim of that. Makes the room that the
+// flip itself takes; that of the history is the witness' to make.
+static paradt_status paradt__flips_tell(paradt__flips *f, int corners) {
+    paradt__insertion *build = &f->flipper.build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t each = (size_t)f->flipper.negative + 1, i, j;
+    paradt_index handle;
+    paradt_status status = paradt__flip_room(&f->flipper);
+    if (!status)
+        status = paradt__list_room(&build->rim, 0, &build->rim_capacity, f->flipper.star.count * each * (size_t)corners,
+                                   build->memory);
+    if (status) return status;
+    update->killed_count = build->rim_count = 0;
+    for (i = 0; i < f->flipper.star.count; i++) {
+        const unsigned char *places = f->flipper.places + i * (size_t)corners;
+        paradt_index base = f->flipper.star.items[i] * corners;
+        update->killed[update->killed_count++] = base;
+        for (j = 0; j + 1 < each; j++) update->killed[update->killed_count++] = mesh->links[base + places[j]];
+    }
+    for (i = 0; i < update->killed_count; i++) mesh->marks[update->killed[i] / corners] |= PARADT__CONFLICT;
+    for (i = 0; i < update->killed_count; i++) {
+        paradt_index base = update->killed[i] - update->killed[i] % corners;
+        for (handle = base; handle < base + corners; handle++)
+            if (!(mesh->marks[mesh->links[handle] / corners] & PARADT__CONFLICT))
+                build->rim[build->rim_count++] = handle;
+    }
+    for (i = 0; i < update->killed_count; i++)
+        paradt__mesh_unmark(mesh, (size_t)(update->killed[i] / corners), PARADT__CONFLICT);
+    return build->witness->dug(build->witness, build);
 }
 
 // Flips the cell and p, if that can be done.
@@ -14625,8 +14837,11 @@ PARADT__INLINE paradt_status paradt__flips_try(paradt__flips *f, paradt_index ce
     int possible;
     paradt_status status = paradt__flip_collect(&f->flipper, cell, point, signs, corners, &possible);
     if (status || !possible) return status;
-    status = paradt__flip(&f->flipper, corners);
+    if (f->flipper.build.witness) status = paradt__flips_tell(f, corners);
+    if (!status) status = paradt__flip(&f->flipper, corners);
     if (!status) status = paradt__flips_record(f, corners);
+    if (!status && f->flipper.build.witness)
+        f->flipper.build.witness->filled(f->flipper.build.witness, &f->flipper.build);
     f->counts[f->flipper.negative + 1]++;
     f->steps++;
     if (!status) PARADT__VERIFY_SMALL(&f->flipper.build.scene.mesh, 1, PARADT__CONFLICT);
@@ -14725,26 +14940,43 @@ static paradt_status paradt__flips_see(paradt__flips *f, paradt_index first, con
 static paradt_status paradt__flips_connect(paradt__flips *f, paradt_index first, paradt_index point) {
     paradt__insertion *build = &f->flipper.build;
     paradt_status status = paradt__flips_see(f, first, paradt__scene_record(&build->scene, point));
+    if (!status && build->witness) status = build->witness->dug(build->witness, build);
     if (!status) status = paradt__cavity_star(build, point);
     if (!status) status = paradt__flips_record_star(f);
     if (!status) status = paradt__cavity_clear(build);
+    if (!status && build->witness) build->witness->filled(build->witness, build);
     if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
     return status;
 }
 
-// Inserts a point, but for the flips of its link's facets.
-PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_index point, int corners) {
-    paradt__scene *scene = &f->flipper.build.scene;
-    const double *x = paradt__scene_record(scene, point);
+// Finds the cell or ghost that contains x, and makes it the recent one.
+PARADT__INLINE paradt_index paradt__flips_find(paradt__flips *f, paradt__scene *scene, const double *x, int corners) {
     paradt_index start = -1 - paradt__history_node(&f->history, f->recent)[PARADT__NODE_CHILD];
     paradt_index cell = paradt__history_locate(&f->history, scene, f->recent, x, corners);
     if (cell < 0) cell = paradt__walk(scene, start, x);
     f->recent = f->at[cell].node;
+    return cell;
+}
+
+// Inserts a point that a cell contains, but for the flips of its link's facets.
+PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_index point, paradt_index cell,
+                                                       int corners) {
+    paradt__scene *scene = &f->flipper.build.scene;
     if (paradt__ghost_place(paradt__mesh_row(&scene->mesh, cell), corners) >= 0)
         return paradt__flips_connect(f, cell, point);
     if (scene->space.weighted && !paradt__flips_ask(f, cell, point)->signs.negative) return PARADT_OK; // hidden
     paradt__flips_sign(f, cell, point, corners);
     return paradt__flips_try(f, cell, point, f->at[cell].signs, corners);
+}
+
+// Inserts a point that the cell contains and is in conflict with, with all that follows.
+PARADT__OPTIONAL paradt_status paradt__flips_insert(paradt__flips *f, paradt_index point, paradt_index cell) {
+    const int corners = f->flipper.build.scene.mesh.corners;
+    paradt_status status;
+    f->facets.count = 0;
+    status = paradt__flips_begin_point(f, point, cell, corners);
+    while (f->facets.count && !status) status = paradt__flips_next(f, point, corners);
+    return status;
 }
 
 // Inserts the points after the first ones.
@@ -14755,7 +14987,8 @@ PARADT__INLINE paradt_status paradt__flips_go_any(paradt__flips *f, const paradt
     uint64_t next = 0;
     while (build->inserted < build->count && !status) {
         paradt_index point = paradt__insertion_point(build, build->inserted);
-        status = paradt__flips_begin_point(f, point, corners);
+        paradt_index cell = paradt__flips_find(f, &build->scene, paradt__scene_record(&build->scene, point), corners);
+        status = paradt__flips_begin_point(f, point, cell, corners);
         for (;;) {
             if (f->steps + build->inserted >= next) {
                 next = f->steps + build->inserted + PACE;
@@ -14789,37 +15022,54 @@ static paradt_status paradt__flips_begin(paradt__flips *f) {
     if (status) return status;
     build->inserted = corners;
     f->history.width = (corners + PARADT__NODE_VERTICES) * sizeof(paradt_index);
-    status = paradt__flips_room(f, corners + 1);
+    status = paradt__flips_room(f, mesh, corners + 1, build->memory);
     for (place = 0; place < mesh->count && !status; place++)
         f->at[place].node = paradt__history_add(&f->history, PARADT__OPEN, (paradt_index)place,
                                                 mesh->vertices + place * corners, mesh->corners);
     return status;
 }
 
+// Frees all but the mesh.
+static void paradt__flips_free(paradt__flips *f) {
+    paradt__memory *memory = f->flipper.build.memory;
+    paradt__nodes_free(&f->history, memory);
+    paradt__list_free(&f->facets, memory);
+    paradt__release(memory, f->at);
+    f->at = NULL;
+    paradt__flipper_rest(&f->flipper);
+}
+
 // Makes the closed mesh of a set, whose points are along a curve, by flips. Vertices are positions in the set. After an
-// error the mesh is empty. stats: history_nodes and flips are filled.
+// error the mesh is empty. f: filled; the caller frees it, in any case. counts: of flips
+static paradt_status paradt__flips_build(paradt__flips *f, const paradt__set *set, paradt__memory *memory,
+                                         paradt__mesh *mesh, const paradt__progress *progress,
+                                         paradt__counters *counters, uint64_t *counts) {
+    paradt__insertion *build = &f->flipper.build;
+    paradt_index *order = paradt__round_order(set->count, memory);
+    paradt_status status;
+    memset(f, 0, sizeof *f);
+    build->memory = memory;
+    if (!order) return PARADT_ERROR_MEMORY;
+    f->counts = counts;
+    paradt__insertion_begin(build, set, order, memory);
+    status = paradt__flips_begin(f);
+    if (!status) status = paradt__flips_go(f, progress);
+    *counters = build->scene.space.counters;
+    paradt__release(memory, order);
+    build->order = NULL;
+    *mesh = build->scene.mesh;
+    if (status) paradt__mesh_free(mesh, memory);
+    return status;
+}
+
+// The same for who wants the mesh alone. stats: history_nodes and flips are filled
 PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
                                                   const paradt__progress *progress, paradt__counters *counters,
                                                   paradt_stats *stats) {
     paradt__flips f;
-    paradt__insertion *build = &f.flipper.build;
-    paradt_index *order = paradt__round_order(set->count, memory);
-    paradt_status status;
-    if (!order) return PARADT_ERROR_MEMORY;
-    memset(&f, 0, sizeof f);
-    f.counts = stats->flips;
-    paradt__insertion_begin(build, set, order, memory);
-    status = paradt__flips_begin(&f);
-    if (!status) status = paradt__flips_go(&f, progress);
+    paradt_status status = paradt__flips_build(&f, set, memory, mesh, progress, counters, stats->flips);
     stats->history_nodes = f.history.count;
-    *counters = build->scene.space.counters;
-    paradt__nodes_free(&f.history, memory);
-    paradt__list_free(&f.facets, memory);
-    paradt__release(memory, f.at);
-    paradt__flipper_rest(&f.flipper);
-    paradt__release(memory, order);
-    *mesh = build->scene.mesh;
-    if (status) paradt__mesh_free(mesh, memory);
+    paradt__flips_free(&f);
     return status;
 }
 #endif // PARADT_NO_FLIPS
@@ -14850,7 +15100,8 @@ PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt
 // The tree hangs on a scene by its updates: paradt__tree_locate finds a cell, whoever changes the mesh hands the update
 // to paradt__tree_record. Between the two `at` names the node of each live cell. A node takes 4 (corners + 7) bytes,
 // 44 in space, with 32-bit indices; there are about dim + 1 of them for each cell that lives in the end.
-// Door: paradt__delaunay_tree.
+// Doors: struct paradt__tree, paradt__tree_at, paradt__tree_room, paradt__tree_locate, paradt__tree_record,
+// paradt__tree_free, paradt__tree_build, paradt__delaunay_tree.
 
 // A node; behind it stands its row, the vertices of the cell, positively oriented. In a ghost ~v stands for the
 // infinite vertex, where v is the vertex opposite the ghost's facet in the cell that was behind it then. PARADT__OPEN
@@ -14892,7 +15143,7 @@ static void paradt__tree_free(paradt__tree *tree) {
 // Makes room for so many more nodes, and for the node at each place of the mesh.
 static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *mesh, size_t more) {
     void *at = tree->at;
-    if (!PARADT__LIKELY(mesh->count <= tree->places)) {
+    if (!PARADT__LIKELY(mesh->capacity <= tree->places)) {
         if (!paradt__grow(tree->memory, &at, tree->places, mesh->capacity, sizeof *tree->at))
             return PARADT_ERROR_MEMORY;
         tree->at = (paradt_index *)at;
@@ -14997,7 +15248,8 @@ static paradt_status paradt__tree_descend(paradt__tree *tree, paradt__scene *sce
     return status;
 }
 
-// The thesis' `location`: finds a cell in conflict with x, or PARADT__NOWHERE: there is none. start: a cell to begin at
+// The thesis' `location`: finds a cell in conflict with x, or PARADT__NOWHERE: there is none, as x is hidden, or may be
+// where a vertex is. start: a cell to begin at
 static paradt_status paradt__tree_locate(paradt__tree *tree, paradt__scene *scene, paradt_index start, const double *x,
                                          paradt_index *found) {
     paradt_status status = PARADT_OK;
@@ -15009,7 +15261,6 @@ static paradt_status paradt__tree_locate(paradt__tree *tree, paradt__scene *scen
         status = paradt__tree_descend(tree, scene, node, x, found);
     for (i = 0; i < tree->roots && *found == PARADT__NOWHERE && !status; i++)
         status = paradt__tree_descend(tree, scene, (paradt_index)i, x, found);
-    PARADT_ASSERT(*found != PARADT__NOWHERE || scene->space.weighted || status);
     return status;
 }
 
@@ -15088,34 +15339,43 @@ PARADT__HOT paradt_status paradt__tree_insert_all(paradt__tree *tree, paradt__in
                 return PARADT_ERROR_CANCELLED;
         }
         status = paradt__tree_locate(tree, &build->scene, paradt__tree_start(build, x), x, &cell);
+        PARADT_ASSERT(status || cell != PARADT__NOWHERE || build->scene.space.weighted);
         if (!status) status = paradt__insert_next(build, cell);
         if (!status) status = paradt__tree_record(tree, build, point);
     }
     return status;
 }
 
-// Makes the closed mesh of a set as paradt__bowyer_watson does. stats: history_nodes is filled
-PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
-                                                const paradt__progress *progress, paradt__counters *counters,
-                                                paradt_stats *stats) {
+// Makes the closed mesh of a set as paradt__bowyer_watson does. tree: filled; the caller frees it, in any case
+static paradt_status paradt__tree_build(paradt__tree *tree, const paradt__set *set, paradt__memory *memory,
+                                        paradt__mesh *mesh, const paradt__progress *progress,
+                                        paradt__counters *counters) {
     paradt__insertion build;
-    paradt__tree tree;
     paradt_index *order = paradt__round_order(set->count, memory);
     paradt_status status;
+    memset(tree, 0, sizeof *tree);
+    tree->memory = memory;
     if (!order) return PARADT_ERROR_MEMORY;
     paradt__insertion_begin(&build, set, order, memory);
     status = paradt__insertion_first(&build);
-    if (!status) {
-        status = paradt__tree_begin(&tree, &build.scene.mesh, memory);
-        if (!status) status = paradt__tree_insert_all(&tree, &build, progress);
-        stats->history_nodes = tree.nodes.count;
-        paradt__tree_free(&tree);
-    }
+    if (!status) status = paradt__tree_begin(tree, &build.scene.mesh, memory);
+    if (!status) status = paradt__tree_insert_all(tree, &build, progress);
     *counters = build.scene.space.counters;
     paradt__insertion_rest(&build);
     paradt__release(memory, order);
     *mesh = build.scene.mesh;
     if (status) paradt__mesh_free(mesh, memory);
+    return status;
+}
+
+// The same for who wants the mesh alone. stats: history_nodes is filled
+PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
+                                                const paradt__progress *progress, paradt__counters *counters,
+                                                paradt_stats *stats) {
+    paradt__tree tree;
+    paradt_status status = paradt__tree_build(&tree, set, memory, mesh, progress, counters);
+    stats->history_nodes = tree.nodes.count;
+    paradt__tree_free(&tree);
     return status;
 }
 #endif
@@ -15999,11 +16259,15 @@ static uint64_t paradt__patch_effort(const paradt__patch *patch) {
     return paradt__search_effort(&patch->search) + patch->neighbor_effort;
 }
 
+#if !defined(PARADT__LEARN_AFTER) // tests learn sooner
+#define PARADT__LEARN_AFTER 10000 // looks, and some more for each cell and for others' points
+#endif
+
 // Is it faster to learn neighbours now than to go on searching? Learning a point's neighbours takes as long as some
 // looks.
 static int paradt__patch_learning_pays(const paradt__patch *patch) {
-    size_t others = patch->build.count - patch->own->set.count;
-    return paradt__patch_effort(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
+    size_t others = patch->build.count - patch->own->set.count, more = patch->build.scene.mesh.count / 32 + 8 * others;
+    return paradt__patch_effort(patch) > (PARADT__LEARN_AFTER ? PARADT__LEARN_AFTER + more : 0);
 }
 
 // Should the region give up? It should when the questions and the insertion of their answers take longer than to insert
@@ -18120,7 +18384,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 //
 // One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
 // Doors: paradt__method_of, paradt__choose_method, paradt__wanted_method, paradt__plan, paradt__build_mesh,
-// paradt__build_trivial, paradt__release_helpers.
+// paradt__build_trivial, paradt__grade_for_insertion, paradt__release_helpers.
 
 #ifndef PARADT_NO_REGIONS
 // --- do regions pay?
@@ -19105,6 +19369,7 @@ static void paradt__sieve_plane(const paradt__sieve *sieve, const double *const 
     for (i = 0; i + 1 < d; i++)
         for (j = 0; j < d; j++) table->row[i][j] = (x[i + 1][j] - x[0][j]) * sieve->scale[j];
     paradt__minors_of(table, d - 1, d);
+    PARADT_CLAIM(minors, x, sieve->scale, table, d);
     for (j = 0; j < d; j++) {
         double minor = table->minor[all ^ 1u << j], y = (x[0][j] - sieve->low[j]) * sieve->scale[j];
         plane[j] = j & 1 ? minor : -minor;
@@ -21171,6 +21436,7 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
         for (i = 0; i < corners; i++) r->hull += links[i] < 0;
         if (spheres && cell % PARADT__TOGETHER == 0)
             known = cell + PARADT__TOGETHER <= mesh.count ? fine(build, cell) : 0;
+        if (spheres && cell % PARADT__TOGETHER == 0) PARADT_CLAIM(fine, build, cell, known);
         if (!(known & 1)) status = paradt__repair_ask(r, cell);
     }
     return status;
@@ -22650,6 +22916,7 @@ PARADT__INLINE paradt__power_of paradt__power_at(const paradt__scene *scene, con
     power.value = weighted ? sum - p[ambient] : sum;
     power.error = PARADT__POWER_FACTOR * size + scene->space.tiny;
     power.vertex = vertex;
+    PARADT_CLAIM(distance, scene, x, p, ambient, weighted, power.value, power.error);
     return power;
 }
 
@@ -24865,6 +25132,249 @@ static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
+// >>past of a living set
+//
+// What is kept of all cells that there were, for a living set whose points are located by them: the Delaunay tree or
+// the history dag. Its points only come. What is kept hangs on positions, which stay what they are until the set is
+// made anew; then this is, too: where the dimension changes, where many points come at once, and where a point comes to
+// the place of a lighter one, as the records of dead cells' vertices are still asked for.
+//
+// Nodes are numbered as they come. So those of a change that is undone are the last ones, and they come first among
+// the sons and the stepsons of nodes before them.
+// Doors: paradt__past_*.
+
+typedef struct paradt__past {
+    paradt_method method; // PARADT_AUTO: nothing is kept
+    size_t before;        // nodes when the change began
+    paradt__list killed;  // nodes of the cells that were there then, in the order in which the change killed them
+#ifndef PARADT_NO_TREE
+    paradt__tree tree;
+#endif
+#ifndef PARADT_NO_FLIPS
+    paradt__flips flips; // its insertion is that of the set, which is lent to it for each point
+    uint64_t counts[PARADT_MAX_DIM + 2];
+#endif
+} paradt__past;
+
+// Can points be located that way?
+static int paradt__past_is_possible(paradt_method method) {
+#ifndef PARADT_NO_TREE
+    if (method == PARADT_DELAUNAY_TREE) return 1;
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (method == PARADT_FLIP) return 1;
+#endif
+    return method == PARADT_AUTO;
+}
+
+#ifndef PARADT_NO_FLIPS
+// Takes back the insertion that flips have been lent.
+static void paradt__past_take_back(paradt__past *past, paradt__insertion *build) {
+    *build = past->flips.flipper.build;
+    memset(&past->flips.flipper.build, 0, sizeof *build);
+}
+#endif
+
+// Says whose memory it is, after the set has moved.
+static void paradt__past_own(paradt__past *past, paradt__memory *memory) {
+#ifndef PARADT_NO_TREE
+    past->tree.memory = memory;
+#endif
+#ifndef PARADT_NO_FLIPS
+    past->flips.flipper.build.memory = memory;
+    past->flips.counts = past->counts;
+#endif
+    (void)past;
+    (void)memory;
+}
+
+static void paradt__past_free(paradt__past *past, paradt__memory *memory) {
+    paradt__past_own(past, memory);
+#ifndef PARADT_NO_TREE
+    paradt__tree_free(&past->tree);
+#endif
+#ifndef PARADT_NO_FLIPS
+    paradt__flips_free(&past->flips);
+#endif
+    paradt__list_free(&past->killed, memory);
+}
+
+// Builds the mesh of a set, and what is kept of it. past: zero but for the method
+static paradt_status paradt__past_build(paradt__past *past, paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status = PARADT_OK;
+    if (past->method == PARADT_AUTO || work->set.space.dim <= 0) return paradt__build_mesh(work);
+    if (past->method == PARADT_DELAUNAY_TREE) status = paradt__grade_for_insertion(work);
+    if (status) return status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    memset(&counters, 0, sizeof counters);
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE)
+        status = paradt__tree_build(&past->tree, &work->set, &work->memory, &work->mesh, &progress, &counters);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        status = paradt__flips_build(&past->flips, &work->set, &work->memory, &work->mesh, &progress, &counters,
+                                     past->counts);
+        paradt__insertion_rest(&past->flips.flipper.build);
+        memset(&past->flips.flipper.build, 0, sizeof past->flips.flipper.build);
+        past->flips.flipper.build.memory = &work->memory;
+    }
+#endif
+    (void)progress;
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+
+// The number of nodes, or NULL: nothing is kept
+static size_t *paradt__past_nodes(paradt__past *past) {
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) return &past->tree.nodes.count;
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) return &past->flips.history.count;
+#endif
+    (void)past;
+    return NULL;
+}
+
+// Begins a change.
+static void paradt__past_begin(paradt__past *past) {
+    const size_t *nodes = paradt__past_nodes(past);
+    past->before = nodes ? *nodes : 0;
+    past->killed.count = 0;
+}
+
+// Makes room for killing and making so many cells of a mesh, which has room for them.
+static paradt_status paradt__past_room(paradt__past *past, const paradt__mesh *mesh, size_t killed, size_t made,
+                                       paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    if (past->method == PARADT_AUTO) return PARADT_OK;
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) status = paradt__tree_room(&past->tree, mesh, made);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) status = paradt__flips_room(&past->flips, mesh, made, memory);
+#endif
+    if (status) return status;
+    return paradt__list_room(&past->killed.items, past->killed.count, &past->killed.capacity,
+                             past->killed.count + killed, memory);
+}
+
+// Is told that a cell, which was there before the change, is about to die.
+static void paradt__past_kill(paradt__past *past, paradt_index place) {
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) past->killed.items[past->killed.count++] = past->tree.at[place];
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) past->killed.items[past->killed.count++] = past->flips.at[place].node;
+#endif
+    (void)past;
+    (void)place;
+}
+
+// Gives the cell that is number `at` of those killed its place again. Cells made since are gone.
+static void paradt__past_revive(paradt__past *past, size_t at, paradt_index place) {
+    paradt_index node = past->killed.items[at];
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) {
+        past->tree.at[place] = node;
+        paradt__tree_at(&past->tree, node)->place = place;
+    }
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        past->flips.at[place].node = node;
+        paradt__history_node(&past->flips.history, node)[PARADT__NODE_CHILD] = -1 - place;
+    }
+#endif
+    (void)node;
+    (void)place;
+}
+
+#ifndef PARADT_NO_TREE
+// Takes the nodes from `before` on out of the lists of those before them.
+static void paradt__tree_cut(const paradt__tree *tree, size_t before) {
+    size_t i;
+    for (i = 0; i < before; i++) {
+        paradt__tree_node *node = paradt__tree_at(tree, (paradt_index)i);
+        while (node->son >= (paradt_index)before) node->son = paradt__tree_at(tree, node->son)->brother;
+        while (node->stepson >= (paradt_index)before) node->stepson = paradt__tree_at(tree, node->stepson)->stepbrother;
+    }
+}
+#endif
+
+// Undoes a change, but for what paradt__past_revive does afterwards.
+static void paradt__past_undo(paradt__past *past) {
+    size_t *nodes = paradt__past_nodes(past);
+    if (!nodes) return;
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) paradt__tree_cut(&past->tree, past->before);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) { // positions may be others' later, and what was asked of them is no answer then
+        size_t i;
+        for (i = 0; i < past->flips.places; i++) past->flips.at[i].asked = 0;
+    }
+#endif
+    *nodes = past->before;
+}
+
+// Says after undoing that a cell lives, from which searches may start.
+static void paradt__past_restart(paradt__past *past, paradt_index cell) {
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) past->flips.recent = past->flips.at[cell].node;
+#endif
+    (void)past;
+    (void)cell;
+}
+
+// Finds a cell for x: by the tree one in conflict, or if x is where a vertex is one that has it; by the history the one
+// that contains x; or PARADT__NOWHERE where the tree knows of none, as x is hidden or where a vertex is. start: a cell
+static paradt_status paradt__past_locate(paradt__past *past, paradt__scene *scene, paradt_index start, const double *x,
+                                         paradt_index *found) {
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        past->flips.recent = past->flips.at[start].node;
+        *found = paradt__flips_find(&past->flips, scene, x, scene->mesh.corners);
+        return PARADT_OK;
+    }
+#endif
+#ifndef PARADT_NO_TREE
+    return paradt__tree_locate(&past->tree, scene, start, x, found);
+#else
+    (void)past;
+    (void)scene;
+    (void)x;
+    *found = start;
+    return PARADT_OK;
+#endif
+}
+
+// Inserts a point, with which `cell` is in conflict: for the history it also contains the point.
+static paradt_status paradt__past_insert(paradt__past *past, paradt__insertion *build, paradt_index point,
+                                         paradt_index cell) {
+    paradt_status status;
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        past->flips.flipper.build = *build;
+        status = paradt__flips_insert(&past->flips, point, cell);
+        paradt__past_take_back(past, build);
+        build->scene.hint = -1 - paradt__history_node(&past->flips.history, past->flips.recent)[PARADT__NODE_CHILD];
+        return status;
+    }
+#endif
+    status = build->kept ? paradt__insert_one_more(build, point, cell) : paradt__insert_at(build, point, cell);
+#ifndef PARADT_NO_TREE
+    if (!status && past->method == PARADT_DELAUNAY_TREE) status = paradt__tree_record(&past->tree, build, point);
+#endif
+    (void)past;
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // >>state of a living set
 //
 // What a living set keeps, and how changes of it are undone.
@@ -24879,14 +25389,9 @@ static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion 
 // A hidden point hangs on a cell that it is in. When cells die their hidden points are walked to the cells that come
 // instead, or have become vertices. Hidden places are found by a hash of their coordinates, others by the walk.
 //
-// A change begins with paradt__living_begin, and ends with paradt__living_publish or paradt__living_undo. In between,
-// paradt__living_prepare is told of each hole before it is filled, and paradt__living_settle afterwards. The journal
-// has the rows of cells that were there when the change began, each once, links between two such cells that were cut,
-// and what was in columns and records. A cell made by the change has the mark PARADT__FRESH.
-//
 // The box of the space is that of all points that ever were, and more: a point outside doubles it on that side, so that
 // it is seldom measured anew.
-// Doors: paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__mesh_has, PARADT__VERIFY_LIVING.
+// Doors: struct paradt_dynamic, paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__list_more, paradt__mesh_has.
 
 enum {
     // by id
@@ -24926,6 +25431,7 @@ struct paradt_dynamic {
     paradt__filling filling;
     paradt__starts starts; // where searches start
     size_t starts_for;     // number of vertices when they were made; 0: they were not
+    paradt__past past;     // what points are located by
     int ambient, weighted;
     int dim;                  // of the points; -1: there are none
     int axes[PARADT_MAX_DIM]; // the caller's axis that each coordinate of a record is along
@@ -25039,6 +25545,7 @@ static void paradt__living_free(paradt_dynamic *d) {
     paradt__insertion_end(&d->build);
     paradt__filling_free(&d->filling, memory);
     paradt__starts_free(&d->starts, memory);
+    paradt__past_free(&d->past, memory);
     for (column = 0; column < PARADT__COLUMNS; column++) paradt__release(memory, d->column[column]);
     paradt__release(memory, d->records);
     paradt__release(memory, d->plain);
@@ -25295,7 +25802,20 @@ PARADT__INLINE int paradt__mesh_has(const paradt__mesh *mesh, paradt_index place
     return has && row[0] != PARADT__DEAD;
 }
 
-// --- changes of the mesh
+// ---------------------------------------------------------------------------------------------------------------------
+// >>journal of a living set
+//
+// How changes of a living set are noted and undone.
+//
+// A change begins with paradt__living_begin, and ends with paradt__living_publish or paradt__living_undo. In between,
+// paradt__living_prepare is told of each hole before it is filled, and paradt__living_settle afterwards. The journal
+// has the rows of cells that were there when the change began, each once, links between two such cells that were cut,
+// and what was in columns and records. A cell made by the change has the mark PARADT__FRESH.
+//
+// Flips make a hole each. Between them the mesh is no T(P), in which one could walk; so hidden places and vertices that
+// may be hidden are collected from all of them, and settled after the last.
+// Doors: paradt__living_begin, paradt__living_publish, paradt__living_undo, paradt__living_prepare,
+// paradt__living_settle, paradt__living_watch, PARADT__VERIFY_LIVING.
 
 // Makes room for all that replacing the cells of a hole takes. made: number of new cells
 static paradt_status paradt__living_mesh_room(paradt_dynamic *d, size_t made) {
@@ -25311,6 +25831,7 @@ static paradt_status paradt__living_mesh_room(paradt_dynamic *d, size_t made) {
     if (!status) status = paradt__list_more(&d->made, made, &d->memory);
     if (!status) status = paradt__list_more(&d->killed, killed * (1 + 2 * corners), &d->memory);
     if (!status) status = paradt__list_more(&d->torn, 2 * build->rim_count, &d->memory);
+    if (!status) status = paradt__past_room(&d->past, mesh, killed, made, &d->memory);
     if (!status) status = paradt__list_more(&d->killed_numbers, killed, &d->memory);
     if (!status) status = paradt__list_more(&d->killed_vertices, killed * corners, &d->memory);
     if (!status && d->weighted && mesh->capacity > d->hung_room) {
@@ -25357,7 +25878,7 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
     paradt_index corners = mesh->corners;
     size_t i, j, row = (size_t)corners;
     paradt_status status = paradt__living_mesh_room(d, made);
-    d->loose.count = d->suspects.count = 0;
+    if (d->past.method != PARADT_FLIP) d->loose.count = d->suspects.count = 0;
     for (i = 0; i < build->update.killed_count && d->weighted && !status; i++)
         status = paradt__living_loosen(d, paradt__mesh_cell(mesh, build->update.killed[i]));
     if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
@@ -25389,15 +25910,12 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
         memcpy(to + 1, mesh->vertices + place * corners, row * sizeof *to);
         memcpy(to + 1 + corners, mesh->links + place * corners, row * sizeof *to);
         d->killed.count += 1 + 2 * row;
+        paradt__past_kill(&d->past, place);
         if (!finite) continue;
         d->killed_numbers.items[d->killed_numbers.count++] = place;
         for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = to[j];
     }
     return PARADT_OK;
-}
-
-static paradt_status paradt__living_dug(paradt__witness *witness, paradt__insertion *build) {
-    return paradt__living_prepare((paradt_dynamic *)(void *)witness, build->rim_count);
 }
 
 // Finds out which places are hidden now. gone: a position that is no vertex any more, or PARADT__NOWHERE; start: where
@@ -25430,8 +25948,8 @@ static void paradt__living_settle_hidden(paradt_dynamic *d, paradt_index gone, p
     }
 }
 
-// After a hole has been filled: marks the new cells, and finds out what has become of vertices and hidden places.
-static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
+// Marks the new cells that fill a hole.
+static void paradt__living_mark(paradt_dynamic *d) {
     const paradt__update *update = &d->build.update;
     const paradt__mesh *mesh = &d->build.scene.mesh;
     paradt_index corners = mesh->corners, *cell = d->column[PARADT__CELL], i;
@@ -25446,7 +25964,38 @@ static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
             if (row[i] >= 0) cell[row[i]] = place;
         }
     }
-    if (d->weighted) paradt__living_settle_hidden(d, gone, paradt__mesh_cell(mesh, update->made[0]));
+}
+
+// After a hole has been filled: marks the new cells, and finds out what has become of vertices and hidden places.
+static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
+    if (d->past.method != PARADT_FLIP) paradt__living_mark(d); // flips have told of theirs
+    if (!d->weighted) return;
+    paradt__living_settle_hidden(d, gone, paradt__mesh_cell(&d->build.scene.mesh, d->build.update.made[0]));
+}
+
+// --- the witness. Flips work on a copy of the set's insertion, which goes back and forth.
+
+static paradt_status paradt__living_dug(paradt__witness *witness, paradt__insertion *build) {
+    paradt_dynamic *d = (paradt_dynamic *)(void *)witness;
+    paradt_status status;
+    if (build == &d->build) return paradt__living_prepare(d, build->rim_count);
+    d->build = *build;
+    status = paradt__living_prepare(d, build->rim_count);
+    *build = d->build;
+    return status;
+}
+
+static void paradt__living_filled(paradt__witness *witness, paradt__insertion *build) {
+    paradt_dynamic *d = (paradt_dynamic *)(void *)witness;
+    d->build = *build;
+    paradt__living_mark(d);
+}
+
+// Makes the set the witness of its own insertions.
+static void paradt__living_watch(paradt_dynamic *d) {
+    d->build.witness = &d->witness;
+    d->witness.dug = paradt__living_dug;
+    d->witness.filled = paradt__living_filled;
 }
 
 #if defined(PARADT_VERIFY)
@@ -25484,7 +26033,9 @@ static int paradt__living_is_sound(paradt_dynamic *d) {
 
 // steps: whether the change may be more than one insertion or removal
 static void paradt__living_begin(paradt_dynamic *d, int steps) {
-    d->steps = steps;
+    d->steps = steps || d->past.method == PARADT_FLIP;
+    paradt__past_begin(&d->past);
+    d->loose.count = d->suspects.count = 0;
     d->now.places = d->build.scene.mesh.count;
     d->before = d->now;
     d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
@@ -25535,6 +26086,9 @@ static void paradt__living_undo_mesh(paradt_dynamic *d) {
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = (size_t)mesh->corners, row = corners * sizeof(paradt_index), at, i;
     for (at = 0; at < d->made.count; at++) mesh->vertices[(size_t)d->made.items[at] * corners] = PARADT__DEAD;
+    paradt__past_undo(&d->past);
+    for (at = 0; at < d->past.killed.count; at++)
+        paradt__past_revive(&d->past, at, d->killed.items[at * (1 + 2 * corners)]);
     for (at = 0; at < d->killed.count; at += 1 + 2 * corners) {
         const paradt_index *saved = d->killed.items + at;
         memcpy(mesh->vertices + (size_t)saved[0] * corners, saved + 1, row);
@@ -25551,6 +26105,7 @@ static void paradt__living_undo_mesh(paradt_dynamic *d) {
         else d->build.scene.hint = (paradt_index)i;
     }
     memset(mesh->marks, 0, mesh->capacity);
+    paradt__past_restart(&d->past, d->build.scene.hint);
     if (d->build.kept) {
         paradt__kept_forget(&d->build);
         d->build.kept->start = d->build.scene.hint;
@@ -25587,13 +26142,13 @@ static void paradt__living_undo(paradt_dynamic *d) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>changes of a living set
 //
-// Inserting, removing and moving one point, within a change that may be more; and making a set anew.
+// Inserting, removing and moving one point, within a change that may be more.
 //
 // A step that would change the dimension of the points says PARADT__GAVE_UP: then the change is undone, and the set is
 // made anew, by the way of paradt_triangulate. That takes as long as creating the set. The dimension falls where a
 // point is removed off the flat that all others are in. Then all finite cells have this vertex: so only where they do
 // are the others looked at, and these are Q of >>holes of vertices.
-// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_make, paradt__living_start,
+// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_join, paradt__living_start,
 // paradt__living_make_starts.
 
 // --- the space
@@ -25688,9 +26243,10 @@ static paradt_status paradt__living_enter(paradt_dynamic *d, paradt_index positi
         paradt__living_set(d, PARADT__LAST_HIDDEN, position, PARADT__NOWHERE);
     }
     build->count = ++d->now.vertices;
-    status = build->kept ? paradt__insert_one_more(build, position, cell) : paradt__insert_at(build, position, cell);
+    status = paradt__past_insert(&d->past, build, position, cell);
     if (status) return status;
     paradt__living_settle(d, PARADT__NOWHERE);
+    d->loose.count = d->suspects.count = 0;
     return PARADT_OK;
 }
 
@@ -25797,6 +26353,7 @@ static paradt_status paradt__living_join(paradt_dynamic *d, paradt_index id, par
     paradt__living_set(d, PARADT__OWNER, position, root);
     if (root != id || !d->weighted) return PARADT_OK;
     if (paradt__bits(d->weights[id]) == paradt__bits(paradt__living_record(d, position)[d->ambient])) return PARADT_OK;
+    if (d->dim > 0 && d->past.method != PARADT_AUTO) return PARADT__GAVE_UP;
     return paradt__living_reweigh(d, position, d->weights[id]);
 }
 
@@ -25851,7 +26408,9 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
             i = ghost;
         } else {
             const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-            if (paradt__sphere_power(sphere, &centred) < -sphere->error) return cell;
+            double power = paradt__sphere_power(sphere, &centred);
+            PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, record, power);
+            if (power < -sphere->error) return cell;
             for (i = 0; i < 4; i++)
                 if (i != from && paradt__side(scene, cell, i, record) < 0) break;
             *fresh = i < 4;
@@ -25862,14 +26421,34 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
     }
 }
 
+// Finds the cell for a point: that it is in, or one in conflict with it that is good enough. *fresh: it is certain that
+// the place is no vertex's. hint, from: as below
+static paradt_status paradt__living_find(paradt_dynamic *d, const double *record, paradt_index hint, paradt_index from,
+                                         paradt_index *cell, int *fresh) {
+    paradt__scene *scene = &d->build.scene;
+    paradt_status status = PARADT_OK;
+    *fresh = 0;
+    *cell = PARADT__NOWHERE;
+    if (d->past.method != PARADT_AUTO) {
+        paradt_index near = from < 0 && hint >= 0 ? paradt__living_start(d, record, hint) : from;
+        if (near < 0) near = paradt__insertion_start(&d->build);
+        status = paradt__past_locate(&d->past, scene, near, record, cell);
+        if (status || (*cell != PARADT__NOWHERE && (!d->weighted || d->past.method == PARADT_FLIP))) return status;
+    }
+    if (*cell == PARADT__NOWHERE) *cell = from < 0 ? paradt__living_start(d, record, hint) : from;
+    if (PARADT_MAX_DIM >= 3 && d->build.kept && d->past.method == PARADT_AUTO)
+        *cell = paradt__living_reach(d, *cell, record, fresh);
+    else *cell = paradt__walk(scene, *cell, record);
+    return PARADT_OK;
+}
+
 // Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; from: a cell nearby,
 // or negative
 static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record, paradt_index hint,
                                            paradt_index from) {
-    paradt__scene *scene = &d->build.scene;
     paradt_index cell, position;
     paradt_status status;
-    int fresh = 0;
+    int fresh;
     if (d->dim < 0) return PARADT__GAVE_UP;
     if (d->dim == 0) { // there is one place, the first
         if (memcmp(record, d->records, (size_t)d->ambient * sizeof *record) != 0) return PARADT__GAVE_UP;
@@ -25877,9 +26456,8 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     }
     paradt__living_measure(d, record);
     if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
-    cell = from < 0 ? paradt__living_start(d, record, hint) : from;
-    if (PARADT_MAX_DIM >= 3 && d->build.kept) cell = paradt__living_reach(d, cell, record, &fresh);
-    else cell = paradt__walk(scene, cell, record);
+    status = paradt__living_find(d, record, hint, from, &cell, &fresh);
+    if (status) return status;
     paradt__living_start_at(d, cell);
     position = fresh ? PARADT__NOWHERE : paradt__living_vertex_at(d, cell, record);
     if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
@@ -26018,7 +26596,11 @@ static paradt_status paradt__living_move(paradt_dynamic *d, paradt_index id, con
                   : paradt__living_insert(d, id, record, -1, d->dim > 0 ? paradt__insertion_start(&d->build) : -1);
 }
 
-// --- a set anew
+// ---------------------------------------------------------------------------------------------------------------------
+// >>making a living set
+//
+// A set made by the way of paradt_triangulate: its mesh, its points as they are numbered, and what is kept besides.
+// Door: paradt__living_make.
 
 // Gives a mesh without ghosts its ghosts.
 static paradt_status paradt__living_ghosts(paradt__mesh *mesh, size_t hull, paradt__memory *memory) {
@@ -26193,8 +26775,7 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
     size_t hull;
     paradt_status status = PARADT_OK;
     d->build.memory = &d->memory;
-    d->build.witness = &d->witness;
-    d->witness.dug = paradt__living_dug;
+    paradt__living_watch(d);
     if (d->dim <= 0) {
         d->now.vertices = d->now.cells = d->now.positions;
         if (d->now.positions) d->column[PARADT__CELL][0] = 0;
@@ -26215,7 +26796,8 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
         status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
                                    &d->memory);
     d->build.count = d->now.vertices < KEPT_FOR ? d->now.vertices : (size_t)KEPT_FOR;
-    if (!status && PARADT__IS(d->dim, 3) && !d->weighted) status = paradt__kept_begin(&d->build);
+    if (!status && PARADT__IS(d->dim, 3) && !d->weighted && d->past.method != PARADT_FLIP)
+        status = paradt__kept_begin(&d->build);
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
     if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers &&
         !paradt__kept_more_numbers(&d->build, d->now.positions + 1))
@@ -26247,14 +26829,13 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     paradt_status status;
     size_t regions;
     memset(&out, 0, sizeof out);
-    options.method = PARADT_AUTO;
     options.flags = PARADT_FACETS;
     paradt__begin_call(&work, &stats, &out, points, &options);
     work.memory = d->memory;
     status = paradt__load(&work, points, &out);
     d->error_point = out.error_point;
     regions = work.regions;
-    if (!status) status = paradt__build_mesh(&work);
+    if (!status) status = paradt__past_build(&d->past, &work);
 #ifndef PARADT_NO_REGIONS
     if (!status && work.fields) { // one region may have taken over from the others
         work.regions = regions;
@@ -26267,6 +26848,7 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     if (work.delivered) work.mesh.spare_count = 0; // its gaps have been closed
     paradt__release(&work.memory, work.cuts.cut);
     d->memory = work.memory;
+    paradt__past_own(&d->past, &d->memory);
     d->build.scene.mesh = work.mesh;
     if (!status) status = paradt__living_adopt(d, &work, points, ids, id_count);
     if (!status) status = paradt__living_number(d, out.representative, points->count, ids, id_count);
@@ -26320,6 +26902,7 @@ static paradt_dynamic *paradt__living_new(const paradt_options *options, const p
     d->ambient = ambient;
     d->weighted = weighted;
     d->dim = -1;
+    d->past.method = options->method;
     d->build.memory = &d->memory;
     paradt__meter_begin(&d->meter, options);
     return d;
@@ -26328,7 +26911,7 @@ static paradt_dynamic *paradt__living_new(const paradt_options *options, const p
 // Returns what is wrong with the options for a living set, or NULL.
 static const char *paradt__living_fault(const paradt_options *options) {
     if (options->flags) return "options.flags is not 0";
-    if (options->method != PARADT_AUTO) return "options.method is not PARADT_AUTO";
+    if (!paradt__past_is_possible(options->method)) return "options.method is no way of locating points";
     return NULL;
 }
 
@@ -26420,6 +27003,7 @@ static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__cen
     d->memory = old.memory;
     d->build.memory = &d->memory;
     d->build.witness = &d->witness;
+    paradt__past_own(&d->past, &d->memory);
     d->dim_before = old.dim;
     d->rebuilt = 1;
     paradt__release(&d->memory, fresh);
@@ -26607,6 +27191,9 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
     paradt_status status = PARADT_OK;
     d->error_point = 0;
     d->error_text = NULL;
+    if (change->kind != PARADT__INSERTION && d->past.method != PARADT_AUTO)
+        return paradt__change_fault(d,
+                                    "a set with options.method PARADT_FLIP or PARADT_DELAUNAY_TREE has insertion only");
     if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
     if (status) return status;
     change->number = (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
@@ -26771,10 +27358,9 @@ PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, p
     return paradt__living_is_hidden(d, position) ? -1 : paradt__living_get(d, PARADT__OWNER, position);
 }
 
-// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells: a star of many cells would take
-// memory that nobody can provide here.
-static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
-                                        size_t capacity) {
+// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells.
+static size_t paradt__living_star_of_all(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                         size_t capacity) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     size_t count = 0, i;
     for (i = 0; i < mesh->count; i++) {
@@ -26784,6 +27370,33 @@ static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index po
         if (count++ < capacity) cells[count - 1] = (paradt_index)i;
     }
     return count;
+}
+
+// The same from a cell of the vertex to the others, in time linear in their number. That takes memory; if there is none
+// all cells of the set are looked at.
+static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                        size_t capacity) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt__memory memory;
+    paradt__seen star;
+    size_t next, count = 0;
+    int fresh;
+    paradt_status status;
+    memset(&star, 0, sizeof star);
+    paradt__memory_begin(&memory, &d->options);
+    status = paradt__seen_add(&star, paradt__living_get(d, PARADT__CELL, position), &fresh, &memory);
+    for (next = 0; next < star.items.count && !status; next++) {
+        const paradt_index place = star.items.items[next], base = place * mesh->corners;
+        paradt_index i;
+        if (paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners) && count++ < capacity)
+            cells[count - 1] = place;
+        for (i = base; i < base + mesh->corners && !status; i++) {
+            if (mesh->vertices[i] != position)
+                status = paradt__seen_add(&star, paradt__mesh_cell(mesh, mesh->links[i]), &fresh, &memory);
+        }
+    }
+    paradt__seen_free(&star, &memory);
+    return status ? paradt__living_star_of_all(d, position, cells, capacity) : count;
 }
 
 PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity) {
@@ -27348,6 +27961,7 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
         h[i] = planes + i;
     }
     known = paradt__diagram_meet(g, h, d, 0, y);
+    PARADT_CLAIM(meet, g, vertices, y, d);
     PARADT__UNROLL
     for (i = 0; i < d; i++) {
         centre[i] = base[i] + y[i];
@@ -28387,6 +29001,7 @@ PARADT__INLINE void paradt__convex_find(paradt__convex *c, size_t vertex, int d)
     if (!paradt__diagram_meet(c->g, h, d, 0, y)) paradt__exact_meet(&c->exact, c->g, c->p, h, 0, 0, y);
     if (distant && !paradt__diagram_meet(c->g, h, d, 1, y + d + 1))
         paradt__exact_meet(&c->exact, c->g, c->p, h, 1, 0, y + d + 1);
+    PARADT_CLAIM(corner, c, h, y, distant);
 }
 
 // Is a vertex outside of a plane? 1, 0: on it, -1: inside
@@ -28395,6 +29010,7 @@ PARADT__INLINE int paradt__convex_above(paradt__convex *c, size_t vertex, const 
     const paradt__halfspace *h[PARADT_MAX_DIM + 1];
     int i, sign = c->distant[vertex] ? paradt__diagram_above(c->g, plane, y + d + 1, d, 1)
                                      : paradt__diagram_above(c->g, plane, y, d, 0);
+    PARADT_CLAIM(above, c, vertex, plane, sign);
     if (PARADT__LIKELY(sign != PARADT__UNDECIDED)) return sign;
     for (i = 0; i < d; i++) h[i] = paradt__convex_plane(c, vertex, i);
     h[d] = plane;

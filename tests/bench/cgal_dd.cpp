@@ -9,15 +9,22 @@
 
 #include "bench.h"
 
-static void run_plane(const bench_arguments &arguments, const bench_points &points) {
+static void run_plane(const bench_arguments &arguments, bench_points points) {
     typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-    std::vector<Kernel::Point_2> input;
-    input.reserve(points.count);
-    for (size_t i = 0; i < points.count; i++)
-        input.emplace_back(points.coordinates[2 * i], points.coordinates[2 * i + 1]);
+    typedef CGAL::Delaunay_triangulation_2<Kernel> Delaunay;
+    std::vector<std::vector<Kernel::Point_2>> sets(arguments.calls);
+    for (size_t i = 0; i < arguments.calls; i++) {
+        bench_points set = bench_set(&points, arguments.calls, i);
+        sets[i].reserve(set.count);
+        for (size_t j = 0; j < set.count; j++)
+            sets[i].emplace_back(set.coordinates[2 * j], set.coordinates[2 * j + 1]);
+    }
     bench_clock clock = bench_start(&points);
-    CGAL::Delaunay_triangulation_2<Kernel> delaunay(input.begin(), input.end());
+    for (size_t i = 0; i + 1 < arguments.calls; i++)
+        Delaunay(sets[i].begin(), sets[i].end());
+    Delaunay delaunay(sets.back().begin(), sets.back().end());
     bench_stop(&clock);
+    points = bench_set(&points, arguments.calls, arguments.calls - 1);
     uint64_t hash = 0;
     if (arguments.hash) {
         bench_index index = bench_index_make(&points);
