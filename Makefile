@@ -66,7 +66,7 @@ C_TESTS      := $(sort $(wildcard tests/*.c))
 # Without in this list the test of the headers' structure runs like the others.
 NO_TESTS     := tests/run.sh tests/setup.sh
 SHELL_TESTS  := $(filter-out $(NO_TESTS),$(sort $(wildcard tests/*.sh)))
-FUZZERS      := $(sort $(wildcard fuzz/*.c))
+FUZZERS      := $(sort $(wildcard fuzz/fuzz_*.c))
 # Test programs that include cgal.h need CGAL, those that include voro.h Voro++, and those that include gmp.h or one of these
 # other headers GMP.
 NEEDS_CGAL   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]cgal\.h' $(C_TESTS)))
@@ -167,7 +167,7 @@ $(T)/fuzz/%: fuzz/%.c $(T)/$(if $(HAVE_SANITIZERS),sanitized/)paradt.o
 	@mkdir -p $(@D)
 	@rm -f $@
 	$(CC) -Og $(TRACES) $(ASSERTS) -DPARADT_FUZZ_STANDALONE -DPARADT_FUZZ_LINKED $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) \
-	    -I. -o $@ $< $(filter %.o,$^) -lm
+	    -I. -o $@ $< $(filter %.o,$^) $(ZLIB) -pthread -lm
 
 $(T)/families: tests/programs/families.c
 	@mkdir -p $(@D)
@@ -203,6 +203,10 @@ faults: ## Plant faults one by one, and run the tests that should see them (test
 	@JOBS=$(JOBS) CC="$(CC)" sh tests/faults/run.sh
 
 # --- the rest --------------------------------------------------------------------------------------------------------
+
+FUZZ_SECONDS := 60
+fuzz: ## Fuzz each harness for FUZZ_SECONDS=60 without sanitizers and as long with them, by AFL++ or else libFuzzer
+	sh fuzz/fuzz.sh $(FUZZ_SECONDS)
 
 bench: ## Compare speed and memory with the peers that Debian packages (CGAL, TetGen, Qhull)
 	sh tests/bench/run.sh
