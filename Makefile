@@ -211,6 +211,15 @@ fuzz: ## Fuzz each harness for FUZZ_SECONDS=60 without sanitizers and as long wi
 bench: ## Compare speed and memory with the peers that Debian packages (CGAL, TetGen, Qhull)
 	sh tests/bench/run.sh
 
+$(BUILD)/bench/soak: tests/bench/soak.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -include tests/asserts.h -DPARADT_IMPLEMENTATION -I. -Itests -o $@ $< -lm
+
+SOAK_FIRST := 0
+SOAK_SETS := 10000
+soak: $(BUILD)/bench/soak ## Check small random sets of all families by all methods: SOAK_SETS=10000 from number SOAK_FIRST=0 on
+	$(BUILD)/bench/soak $(SOAK_FIRST) $(SOAK_SETS)
+
 thesis: $(TOOLS) ## Repeat the thesis' experiment over MPI, beside its own figures (about 20 minutes)
 	sh tests/bench/thesis.sh
 

@@ -4,9 +4,9 @@
 // Usage: soak FIRST COUNT [SECONDS]. Goes through the sets number FIRST to FIRST + COUNT - 1, or as many as the time allows, so
 // that a long soak can be done in pieces, on several machines. Set i is of family i modulo their number; everything else about it
 // follows from i. Prints how many of each family were done. A set that fails is named, and the exit status is 1.
-#include "families.h"
+#include "paradt.h" // before what names types as its variables are named
 
-#include "paradt.h"
+#include "families.h"
 
 #include <time.h>
 
