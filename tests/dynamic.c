@@ -976,6 +976,30 @@ static void killed_cells_have_the_ids_that_they_had(void **state) {
     paradt_dynamic_free(d);
 }
 
+static int progress_never_falls(void *user, double fraction) {
+    double *last = (double *)user;
+    assert_true(fraction >= *last && fraction <= 1);
+    *last = fraction;
+    return 0;
+}
+
+// Where the first point is hidden its place is searched for after the triangulation has been made.
+static void progress_of_creating_never_falls(void **state) {
+    (void)state;
+    for (uint64_t seed = 0; seed < 40; seed++) {
+        sample s = family_make(&families[family_named("lattice")], &weightings[2], 2, 50, seed);
+        paradt_points points = points_of(&s);
+        paradt_options options = {0};
+        paradt_dynamic *d;
+        double last = 0;
+        options.progress = progress_never_falls;
+        options.user = &last;
+        assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_OK);
+        paradt_dynamic_free(d);
+        sample_free(&s);
+    }
+}
+
 // Many changes in a row; SOAK says how many.
 static void soak(void **state) {
     const char *wanted = getenv("SOAK");
@@ -1025,6 +1049,7 @@ int main(void) {
     tests[count++] = named_test(vertices_on_the_hull_are_found_from_anywhere, NULL,
                                 "vertices_on_the_hull_are_found_from_anywhere");
     tests[count++] = named_test(killed_cells_have_the_ids_that_they_had, NULL, "killed_cells_have_the_ids_that_they_had");
+    tests[count++] = named_test(progress_of_creating_never_falls, NULL, "progress_of_creating_never_falls");
     tests[count++] = named_test(soak, NULL, "soak");
     return run_named_tests("dynamic", tests, count);
 }

@@ -1219,6 +1219,30 @@ static void no_point_and_one_point_have_their_cells(void **state) {
     sample_free(&s);
 }
 
+// The squares of the difference are 0, or the difference itself is, beside what else there is.
+static void faces_between_points_that_almost_coincide_have_areas(void **state) {
+    static const double gaps[] = {0x1p-400, 0x1p-600, 0x1p-1000, 0x1p-1074}, far[] = {0, 0x1p917};
+    (void)state;
+    for (int g = 0; g < 8; g++) {
+        const double x[] = {3, 0, 3, gaps[g % 4], 3, -far[g / 4] - 5}, box[] = {-1, -1, 2, 2};
+        paradt_points points = paradt_points_f64(x, 3, 2);
+        paradt_voronoi_request request = {PARADT_VORONOI_AREAS | PARADT_VORONOI_FACES, box, NULL, 0};
+        paradt_triangulation t;
+        paradt_voronoi v;
+        double between = 0;
+        assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+        assert_int_equal(paradt_voronoi_compute(&v, &t, &points, &request, NULL), PARADT_OK);
+        for (size_t f = 0; f < v.face_count; f++) {
+            assert_true(v.areas[f] > 0 && v.areas[f] <= 3);
+            if (v.sides[2 * f] == 0 && v.sides[2 * f + 1] == 1)
+                between = v.areas[f];
+        }
+        assert_true(between == 3);
+        paradt_voronoi_free(&v);
+        paradt_free(&t);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest races[] = {cmocka_unit_test(threads_give_the_same_bits)};
     const struct CMUnitTest tests[] = {
@@ -1232,6 +1256,7 @@ int main(void) {
         cmocka_unit_test(cells_may_have_thousands_of_faces),
         cmocka_unit_test(threads_give_the_same_bits),
         cmocka_unit_test(every_allocation_may_fail),
+        cmocka_unit_test(faces_between_points_that_almost_coincide_have_areas),
         cmocka_unit_test(every_call_of_progress_may_cancel),
         cmocka_unit_test(wrong_arguments_are_refused),
     };
