@@ -986,7 +986,7 @@ typedef struct paradt_voronoi {
     unsigned char *unbounded;   // [cell_count] 1: the cell is unbounded; always there
     size_t face_count;          // number of faces
     paradt_index *sides;        // [face_count][2] the points on its two sides; the second may be -1 - k: wall k
-    double *areas;              // [face_count] measure of dimension dim - 1; infinite: unbounded
+    double *areas;              // [face_count] measure of dimension dim - 1; infinite: unbounded, or beyond all doubles
     double *face_centroids;     // [face_count][dim] NaN where the area is infinite or 0
     double *normals;            // [face_count][dim] of length 1, from the first side to the second; NaN where the two
                                 // points differ by less than 2^-1022 of the largest coordinate there is
@@ -19942,6 +19942,7 @@ static double paradt__hull_end_measure(const paradt__cascade *sum, const paradt_
     *error = paradt__scale(bound, k * unit, &exact) + 4 * PARADT__ROUNDOFF * value;
     if (*error < paradt__power(-1000)) *error += paradt__power(-1000);
     if (paradt__bits(value) >= UINT64_C(0x7fefffffffffffff)) value = *error = HUGE_VAL;
+    if (paradt__bits(*error) >= UINT64_C(0x7fefffffffffffff)) *error = HUGE_VAL; // scaled to the largest double
     return value;
 }
 
@@ -30471,8 +30472,10 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     status = paradt__voronoi_incidence(work, out);
     for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
         if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
-    for (i = 0; i < out->face_count && out->areas && g->shift; i++)
-        out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
+    for (i = 0; i < out->face_count && out->areas; i++) {
+        double area = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
+        out->areas[i] = area >= 0 ? area : area < 0 ? 0 : HUGE_VAL; // rounded below 0; of vertices beyond all doubles
+    }
     for (i = 0; i < out->face_count && out->normals && (g->shift || g->k < g->d); i++) {
         double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
         memcpy(centroid, out->face_centroids + i * d, d * sizeof(double));

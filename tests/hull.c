@@ -484,6 +484,17 @@ static void needles_have_a_measure(void **state) {
     paradt_hull_free(&hull);
 }
 
+// Beyond all doubles, of which the bound is one, too: it is not cut off there.
+static void errors_beyond_all_doubles_are_infinite(void **state) {
+    static const double x[] = {-0x1p-15, -1, -0x1p1000, 0x1p9, 0x1p-7, 0, 0x1p16, -0x1p40, 0x1.f8p14, -0x1p9, 0, 0};
+    paradt_points points = paradt_points_f64(x, 4, 3);
+    paradt_hull hull;
+    (void)state;
+    assert_int_equal(paradt_hull_compute(&hull, &points, NULL), PARADT_OK);
+    assert_true(hull.volume_error > 1.7976931348623157e308);
+    paradt_hull_free(&hull);
+}
+
 static void threads_give_the_same_hull(void **state) {
     (void)state;
     for (int dim = 2; dim <= 4; dim++)
@@ -763,6 +774,7 @@ int main(void) {
         cmocka_unit_test(flat_sets_have_the_measures_of_their_flat),
         cmocka_unit_test(huge_and_tiny_measures_are_scaled),
         cmocka_unit_test(needles_have_a_measure),
+        cmocka_unit_test(errors_beyond_all_doubles_are_infinite),
         cmocka_unit_test(threads_give_the_same_hull),
         cmocka_unit_test(every_allocation_may_fail),
         cmocka_unit_test(the_memory_limit_is_kept),
