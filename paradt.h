@@ -1632,14 +1632,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
 //     locator                      644   the entry of queries
-//     holes of vertices            382   the hole where a vertex goes, and wrapping it
-//     filling holes                391   what fills it
-//     past of a living set         243   location by all cells that there were
-//     state of a living set        428   columns, hidden and coincident points
-//     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      457   one point comes, goes or moves
-//     making a living set          262   the set anew
-//     living set                   665   the entry
+//     holes of vertices            456   the hole where a vertex goes, and wrapping it
+//     filling holes                466   what fills it
+//     past of a living set         245   location by all cells that there were
+//     state of a living set        435   columns, hidden and coincident points
+//     journal of a living set      315   how changes are noted and undone
+//     changes of a living set      456   one point comes, goes or moves
+//     making a living set          259   the set anew
+//     living set                   685   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                134   points and cells in the order of space
 //     Voronoi vertices             158   centres of cells, and their errors
@@ -24394,6 +24394,7 @@ typedef struct paradt__opening {
 typedef struct paradt__filling {
     paradt__list points;  // Q, positions: first the link's vertices
     size_t link_count;    // number of these
+    int polygon;          // the link is one, and its vertices and the rim are in order, counterclockwise
     size_t count;         // cells and ghosts that fill the hole
     paradt__list rows;    // [count][corners] vertices
     paradt__list links;   // [count][corners] handles in the filling, or ~ handles in the mesh
@@ -24505,13 +24506,86 @@ PARADT__INLINE paradt_index *paradt__filling_pair(const paradt__filling *f, para
     return f->numbers.items + 2 * at;
 }
 
+// Notes a cell of a polygon: its number `at`, and where in its row the vertex is. Returns 0 for a ghost.
+PARADT__INLINE int paradt__polygon_note(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+                                        paradt_index place, size_t at, int *where) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    const paradt_index base = 3 * place, *row = mesh->vertices + base;
+    if ((row[0] | row[1] | row[2]) < 0) return 0;
+    *where = row[1] == vertex ? 1 : row[2] == vertex ? 2 : 0;
+    build->update.killed[at] = base;
+    build->rim[at] = base + *where;
+    f->points.items[at] = row[(*where + 1) % 3];
+    PARADT__PREFETCH_TO_WRITE(mesh->links + mesh->links[base + *where]);
+    PARADT__PREFETCH(paradt__scene_record(&build->scene, f->points.items[at]));
+    return 1;
+}
+
+// Collects the hole of a vertex in the plane by turning around it both ways, as each step waits for memory: cells, rim
+// and link in order, counterclockwise. There is room for twice as many as there may be. Returns 0 if there are too
+// many, or the vertex is on the hull.
+static int paradt__polygon_turn(paradt__filling *f, paradt__insertion *build, paradt_index vertex, paradt_index cell) {
+    enum { MOST = PARADT__MOST_WRAPPED };
+    const paradt_index *links = build->scene.mesh.links;
+    paradt_index ahead = cell, back = cell;
+    size_t first = MOST, last = MOST, count; // back is number `first`, ahead is number `last`
+    int at, at_back;
+    if (!paradt__polygon_note(f, build, vertex, cell, first, &at)) return 0;
+    for (at_back = at;;) {
+        paradt_index next = links[3 * ahead + (at + 1) % 3] / 3, before = links[3 * back + (at_back + 2) % 3] / 3;
+        paradt__fetch_row(build->scene.mesh.vertices, links, (size_t)next, 3);
+        paradt__fetch_row(build->scene.mesh.vertices, links, (size_t)before, 3);
+        if (next == back) break;
+        if (last - first + 3 > MOST || !paradt__polygon_note(f, build, vertex, next, ++last, &at)) return 0;
+        if (next == before) break;
+        if (!paradt__polygon_note(f, build, vertex, before, --first, &at_back)) return 0;
+        ahead = next;
+        back = before;
+    }
+    count = last - first + 1;
+    memmove(build->update.killed, build->update.killed + first, count * sizeof(paradt_index));
+    memmove(build->rim, build->rim + first, count * sizeof(paradt_index));
+    memmove(f->points.items, f->points.items + first, count * sizeof(paradt_index));
+    build->update.killed_count = build->rim_count = f->points.count = f->link_count = count;
+    return 1;
+}
+
+// Gives the link's vertices the numbers that they have where the link has not been collected in order.
+static paradt_status paradt__filling_number(paradt__filling *f, paradt__memory *memory) {
+    size_t i;
+    paradt_status status = paradt__filling_number_room(f, f->link_count, memory);
+    for (i = 0; i < f->link_count && !status; i++) {
+        paradt_index *pair = paradt__filling_pair(f, f->points.items[i]);
+        pair[0] = f->points.items[i];
+        pair[1] = (paradt_index)i;
+    }
+    return status;
+}
+
+// Turns around a vertex if it can be done.
+static paradt_status paradt__filling_polygon(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+                                             paradt_index cell) {
+    enum { ROOM = 2 * PARADT__MOST_WRAPPED };
+    paradt__update *update = &build->update;
+    paradt_status status;
+    f->polygon = 0;
+    if (build->scene.mesh.corners != 3) return PARADT_OK;
+    status = paradt__list_room(&update->killed, 0, &update->killed_capacity, ROOM, build->memory);
+    if (!status) status = paradt__list_room(&build->rim, 0, &build->rim_capacity, ROOM, build->memory);
+    if (!status) status = paradt__list_room(&f->points.items, 0, &f->points.capacity, ROOM, build->memory);
+    if (!status) f->polygon = paradt__polygon_turn(f, build, vertex, cell);
+    return status;
+}
+
 // Collects the hole of a vertex: its cells and ghosts, its rim, and the vertices of the link.
 static paradt_status paradt__filling_star(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
                                           paradt_index cell) {
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt_index corners = mesh->corners, i;
     size_t most, at;
-    paradt_status status = paradt__filling_cells(build, vertex, cell);
+    paradt_status status = paradt__filling_polygon(f, build, vertex, cell);
+    if (status || f->polygon) return status;
+    status = paradt__filling_cells(build, vertex, cell);
     if (status) return status;
     most = build->update.killed_count + (size_t)corners; // as a cell has at most one vertex that cells before lack
     status = paradt__filling_number_room(f, most, build->memory);
@@ -24743,8 +24817,8 @@ static paradt_status paradt__wrap_cell(paradt__filling *f, size_t opening, int a
 // ---------------------------------------------------------------------------------------------------------------------
 // >>filling holes
 //
-// Holes of vertices are filled: in any dimension by exact predicates alone, in space faster, and with many points by
-// their triangulation.
+// Holes of vertices are filled: in any dimension by exact predicates alone, in space and in the plane faster, and with
+// many points by their triangulation.
 //
 // In space, where spheres are kept, floating point proposes the point for a facet and proves that it is right. Among
 // the spheres through a facet the power of a point changes by a multiple of its height over the facet; of all points at
@@ -24972,16 +25046,17 @@ static paradt_status paradt__wrap(paradt__filling *f, paradt__insertion *build, 
     paradt_status status = paradt__wrap_begin(f, build);
 #if PARADT_MAX_DIM >= 3
     const paradt__wrap_kernels kernels = paradt__choose_wrap_kernels();
-    if (!status && build->kept) paradt__wrap_centre(f, paradt__scene_record(scene, vertex));
+    const int spheres = build->kept && !scene->space.weighted;
+    if (!status && spheres) paradt__wrap_centre(f, paradt__scene_record(scene, vertex));
 #endif
     (void)vertex;
     for (at = 0; at < f->opening_count && !status; at++) {
         if (f->openings[at].closed || f->openings[at].mask >> PARADT__INFINITE_BIT) continue;
 #if PARADT_MAX_DIM >= 3
-        if (build->kept) status = paradt__wrap_sphere_room(f, build->memory);
+        if (spheres) status = paradt__wrap_sphere_room(f, build->memory);
         if (status) break;
-        apex = build->kept ? paradt__wrap_apex_in_space(f, scene, f->openings + at, &kernels)
-                           : paradt__wrap_apex(f, scene, f->openings + at);
+        apex = spheres ? paradt__wrap_apex_in_space(f, scene, f->openings + at, &kernels)
+                       : paradt__wrap_apex(f, scene, f->openings + at);
 #else
         apex = paradt__wrap_apex(f, scene, f->openings + at);
 #endif
@@ -25125,10 +25200,84 @@ static paradt_status paradt__fill_by_insertion(paradt__filling *f, const paradt_
     return status;
 }
 
+// --- polygons
+
+// A part of the polygon that is not filled yet: a chain of its vertices, and the edge from the last to the first
+typedef struct paradt__chain {
+    int first, last;
+    paradt_index behind; // mirror of that edge: a handle in the filling, or ~ a handle in the mesh
+} paradt__chain;
+
+// Returns the vertex that makes a cell with the edge of a chain: as paradt__wrap_apex, but among the chain's vertices
+// alone, for the cell is in that part of the polygon. A single one needs no test.
+static int paradt__chain_apex(const paradt__filling *f, paradt__scene *scene, const paradt__chain *chain) {
+    const double *p[4];
+    int best = chain->first + 1, i;
+    if (chain->last - chain->first == 2) return best;
+    p[0] = f->record[chain->first];
+    p[2] = f->record[chain->last];
+    for (;; best++) {
+        p[1] = f->record[best];
+        if (best + 1 == chain->last || paradt__orient(&scene->space, p) > 0) break;
+    }
+    for (i = best + 1; i < chain->last; i++) {
+        p[3] = f->record[i];
+        if (!paradt__conflict(&scene->space, p)) continue;
+        best = i;
+        p[1] = p[3];
+    }
+    return best;
+}
+
+// Ties one of the two edges that a new cell opens: to the rim, or to the cell to come.
+static void paradt__chain_open(paradt__filling *f, const paradt__insertion *build, paradt__chain *stack, int *count,
+                               int first, int last, paradt_index handle) {
+    paradt__chain *chain = stack + *count;
+    if (last - first == 1) {
+        f->links.items[handle] = ~build->scene.mesh.links[build->rim[first]];
+        return;
+    }
+    chain->first = first;
+    chain->last = last;
+    chain->behind = handle;
+    ++*count;
+}
+
+// Fills a hole in the plane whose link is a polygon without other points: a cell on an edge divides what is left.
+static paradt_status paradt__fill_polygon(paradt__filling *f, paradt__insertion *build) {
+    paradt__scene *scene = &build->scene;
+    paradt__chain stack[PARADT__MOST_WRAPPED];
+    int corners = (int)f->points.count, count = 1, i;
+    paradt_status status;
+    f->count = 0;
+    status = paradt__filling_room(f, (size_t)corners, 3, build->memory);
+    if (status) return status;
+    for (i = 0; i < corners; i++) f->record[i] = paradt__scene_record(scene, f->points.items[i]);
+    stack[0].first = 0;
+    stack[0].last = corners - 1;
+    stack[0].behind = ~scene->mesh.links[build->rim[corners - 1]];
+    while (count) {
+        const paradt__chain chain = stack[--count];
+        const int apex = paradt__chain_apex(f, scene, &chain);
+        const paradt_index base = 3 * (paradt_index)f->count++;
+        f->rows.items[base] = f->points.items[chain.first];
+        f->rows.items[base + 1] = f->points.items[apex];
+        f->rows.items[base + 2] = f->points.items[chain.last];
+        f->links.items[base + 1] = chain.behind;
+        if (chain.behind >= 0) f->links.items[chain.behind] = base + 1;
+        paradt__chain_open(f, build, stack, &count, chain.first, apex, base + 2);
+        paradt__chain_open(f, build, stack, &count, apex, chain.last, base);
+    }
+    return PARADT_OK;
+}
+
 // Makes the filling of the hole of a vertex, which has been collected; the mesh is left as it is.
 static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
+    paradt_status status = PARADT_OK;
+    if (f->polygon && f->points.count == f->link_count) return paradt__fill_polygon(f, build);
     if (f->points.count > PARADT__MOST_WRAPPED) return paradt__fill_by_insertion(f, build, vertex);
-    return paradt__wrap(f, build, vertex);
+    if (f->polygon) status = paradt__filling_number(f, build->memory);
+    return status ? status : paradt__wrap(f, build, vertex);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -25258,6 +25407,8 @@ static paradt_status paradt__past_room(paradt__past *past, const paradt__mesh *m
 #ifndef PARADT_NO_FLIPS
     if (past->method == PARADT_FLIP) status = paradt__flips_room(&past->flips, mesh, made, memory);
 #endif
+    (void)mesh;
+    (void)made;
     if (status) return status;
     return paradt__list_room(&past->killed.items, past->killed.count, &past->killed.capacity,
                              past->killed.count + killed, memory);
@@ -25527,6 +25678,13 @@ static paradt_status paradt__living_position_room(paradt_dynamic *d, size_t coun
     }
     d->position_room = room;
     return PARADT_OK;
+}
+
+// Makes room for the numbers that kept spheres give to so many positions: a hidden one, too, may be a vertex later.
+PARADT__INLINE paradt_status paradt__living_number_room(paradt_dynamic *d, size_t count) {
+    const paradt__kept *kept = d->build.kept;
+    if (!kept || PARADT__LIKELY(count < kept->numbers)) return PARADT_OK;
+    return paradt__kept_more_numbers(&d->build, count + count / 8 + 64) ? PARADT_OK : PARADT_ERROR_MEMORY;
 }
 
 // Makes the columns of the heap, once there are points at one place.
@@ -26436,7 +26594,7 @@ static paradt_status paradt__living_find(paradt_dynamic *d, const double *record
         if (status || (*cell != PARADT__NOWHERE && (!d->weighted || d->past.method == PARADT_FLIP))) return status;
     }
     if (*cell == PARADT__NOWHERE) *cell = from < 0 ? paradt__living_start(d, record, hint) : from;
-    if (PARADT_MAX_DIM >= 3 && d->build.kept && d->past.method == PARADT_AUTO)
+    if (PARADT_MAX_DIM >= 3 && d->build.kept && !d->weighted && d->past.method == PARADT_AUTO)
         *cell = paradt__living_reach(d, *cell, record, fresh);
     else *cell = paradt__walk(scene, *cell, record);
     return PARADT_OK;
@@ -26463,6 +26621,7 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
     if (position != PARADT__NOWHERE) return paradt__living_join(d, id, position);
     status = paradt__living_position_room(d, d->now.positions + 1);
+    if (!status) status = paradt__living_number_room(d, d->now.positions + 1);
     if (!status) status = paradt__living_write_room(d);
     if (!status) status = paradt__living_log_room(d, 4);
     if (!status) status = paradt__alike_room(d);
@@ -26796,12 +26955,9 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
         status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
                                    &d->memory);
     d->build.count = d->now.vertices < KEPT_FOR ? d->now.vertices : (size_t)KEPT_FOR;
-    if (!status && PARADT__IS(d->dim, 3) && !d->weighted && d->past.method != PARADT_FLIP)
-        status = paradt__kept_begin(&d->build);
+    if (!status && PARADT__IS(d->dim, 3) && d->past.method != PARADT_FLIP) status = paradt__kept_begin(&d->build);
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
-    if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers &&
-        !paradt__kept_more_numbers(&d->build, d->now.positions + 1))
-        status = PARADT_ERROR_MEMORY;
+    if (!status) status = paradt__living_number_room(d, d->now.positions);
     d->build.count = d->now.vertices;
     return status;
 }
@@ -27124,6 +27280,20 @@ static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *c
                        change->count);
 }
 
+// Prefetches what removals soon after the i-th one begin with: first a cell of the vertex, then its row.
+PARADT__INLINE void paradt__change_fetch(const paradt_dynamic *d, const paradt__change *change, size_t i) {
+    enum { SOON = 4, LATER = 8 };
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    if (d->dim < 1 || i + LATER >= change->count) return;
+    PARADT__FETCH(d->column[PARADT__CELL],
+                  paradt__living_get(d, PARADT__POSITION, change->number[change->order[i + LATER].item]));
+    paradt__fetch_row(
+        mesh->vertices, mesh->links,
+        (size_t)paradt__living_get(
+            d, PARADT__CELL, paradt__living_get(d, PARADT__POSITION, change->number[change->order[i + SOON].item])),
+        (size_t)mesh->corners);
+}
+
 // Does a change, point by point.
 static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *change) {
     enum { PACE = 64 }; // points between two looks at whether the call is cancelled
@@ -27135,6 +27305,7 @@ static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *
         size_t at = (size_t)change->order[i].item;
         paradt_index id = change->number[at];
         const double *record = change->records ? change->records + at * width : NULL;
+        if (change->kind == PARADT__REMOVAL) paradt__change_fetch(d, change, i);
         if (i % PACE == PACE - 1 && paradt__progress_cancels(&progress, (double)i / (double)change->count))
             return PARADT_ERROR_CANCELLED;
         switch (change->kind) {
@@ -27187,8 +27358,11 @@ static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *chang
 static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *change) {
     size_t width = (size_t)d->ambient + (size_t)d->weighted, count = change->count;
     paradt__memory *memory = &d->memory;
-    paradt__keyed *other;
+    paradt__keyed *other, keys[2];
+    paradt_index number;
+    double record[PARADT_MAX_DIM + 1];
     paradt_status status = PARADT_OK;
+    const int one = count == 1; // takes no memory here
     d->error_point = 0;
     d->error_text = NULL;
     if (change->kind != PARADT__INSERTION && d->past.method != PARADT_AUTO)
@@ -27196,11 +27370,11 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
                                     "a set with options.method PARADT_FLIP or PARADT_DELAUNAY_TREE has insertion only");
     if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
     if (status) return status;
-    change->number = (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
-    change->order = (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
-    other = (paradt__keyed *)paradt__alloc(memory, count, sizeof *other);
+    change->number = one ? &number : (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
+    change->order = one ? keys : (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
+    other = one ? keys + 1 : (paradt__keyed *)paradt__alloc(memory, count, sizeof *other);
     if (change->kind != PARADT__REMOVAL)
-        change->records = (double *)paradt__alloc(memory, count, width * sizeof(double));
+        change->records = one ? record : (double *)paradt__alloc(memory, count, width * sizeof(double));
     if (!change->number || !change->order || !other || (!change->records && change->kind != PARADT__REMOVAL))
         status = PARADT_ERROR_MEMORY;
     if (!status && change->kind != PARADT__REMOVAL) status = paradt__change_read(d, change);
@@ -27211,10 +27385,12 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
         status = paradt__change_run(d, change);
     }
     if (!status && change->new_ids && count) memcpy(change->new_ids, change->number, count * sizeof *change->number);
-    paradt__release(memory, change->number);
-    paradt__release(memory, change->order);
-    paradt__release(memory, other);
-    paradt__release(memory, change->records);
+    if (!one) {
+        paradt__release(memory, change->number);
+        paradt__release(memory, change->order);
+        paradt__release(memory, other);
+        paradt__release(memory, change->records);
+    }
     if (status && !d->error_text) d->error_text = paradt_status_string(status);
     return status;
 }
