@@ -11757,7 +11757,7 @@ static paradt_status paradt__plane_insert(paradt__insertion *build, paradt_index
 // time where the processor has AVX2 and FMA. They differ from the plain ones in the last bits of powers at most, and
 // powers decide nothing where these bits matter. In names `four` stands for four lanes. Doors: PARADT__KEPT_AVX2,
 // paradt__kept_insert_avx2, paradt__dot_avx2, paradt__four_spheres, paradt__four_differences, paradt__abs_avx2,
-// paradt__two_halves, paradt__four_store, paradt__four_least.
+// paradt__two_halves, paradt__four_store.
 
 #if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
 #define PARADT__KEPT_AVX2 1
