@@ -1552,14 +1552,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     exact                        622   signs in integers
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        323   Hilbert's curve, sorting along it
+//     curve                        325   Hilbert's curve, sorting along it
 //     points                       164   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
-//     sorting                      470   along the curve, box after box
+//     sorting                      471   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
-//     reference sphere             204   sagittas near a sphere
+//     reference sphere             203   sagittas near a sphere
 //   mesh
 //     mesh                         700   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
@@ -1577,13 +1577,13 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    298   dig and star, in any dimension
-//     kept spheres                 672   conflict tests by one product, in two and three dimensions
-//     digging by spheres           301   locate and dig with kept spheres
+//     insertion                    296   dig and star, in any dimension
+//     kept spheres                 671   conflict tests by one product, in two and three dimensions
+//     digging by spheres           298   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
 //     stars in the plane           294   dig and star with kept spheres
-//     insertion by spheres         215   locate, dig and star, all together
-//     insertion in space by AVX2   506   its inner functions for four lanes
+//     insertion by spheres         214   locate, dig and star, all together
+//     insertion in space by AVX2   505   its inner functions for four lanes
 //     the plane by AVX2            120   the same for the plane
 //     inserting                    239   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
@@ -4027,10 +4027,12 @@ static int paradt__whole_steps(int levels, int dim) {
     return step > 1 ? (levels + step - 1) / step * step : levels;
 }
 
-// Number of levels that tell nearly all of `count` points apart, if they are spread evenly
+// Number of levels that tell nearly all of `count` points apart, if they are spread evenly. Of few points, whose keys
+// take a step a level, a few more are left together.
 static int paradt__levels_for(size_t count, int dim) {
     int most = PARADT__CURVE_BITS / dim < 31 ? PARADT__CURVE_BITS / dim : 31;
-    int levels = paradt__whole_steps((paradt__bit_length(count) + 10) / dim + 1, dim);
+    int levels = count < PARADT__MANY_KEYS ? (paradt__bit_length(count) + 6) / dim + 1
+                                           : paradt__whole_steps((paradt__bit_length(count) + 10) / dim + 1, dim);
     return levels < most ? levels : most;
 }
 
@@ -5058,7 +5060,8 @@ PARADT__COLD int paradt__split_run(const paradt__loader *loader, size_t task, pa
                                    size_t count, int by_steps) {
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    int dim = loader->source->points.dim, levels = paradt__levels_for(count, dim), axis, equal = 1;
+    int dim = loader->source->points.dim, axis, equal = 1;
+    int levels = paradt__whole_steps(paradt__levels_for(count, dim), dim); // the table may be that for many points
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
@@ -11508,8 +11511,8 @@ PARADT__NOINLINE void paradt__plane_ghosts(paradt__insertion *build, paradt__new
     for (i = count - 2; i < count + 1; i++) star->base[i] = star->base[0];
 }
 
-// Stores the new cells on the facets of the polygon at their places, and links them; what is behind the last facet and
-// the last place repeats them, but for the corner, which is the first one's.
+// Stores the new cells on the facets of the polygon at their places, and links them. The last place is repeated, as in
+// paradt__plane_pad.
 PARADT__INLINE void paradt__polygon_star(paradt__insertion *build, paradt__polygon *polygon, paradt_index point) {
     paradt_index *made = build->update.made, *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
     paradt_index ghosts = 0, last, a;
@@ -11530,6 +11533,7 @@ PARADT__INLINE void paradt__polygon_star(paradt__insertion *build, paradt__polyg
         last = base;
         a = b;
     }
+    for (i = count; i < count + PARADT__PLANE_TOGETHER - 1; i++) made[i] = last;
     build->kept->ghosts = ghosts < 0;
 }
 
@@ -11782,7 +11786,6 @@ PARADT__INLINE paradt_status paradt__plane_insert_any(paradt__insertion *build, 
     status = paradt__kept_places(build, 3);
     if (status) return status;
     paradt__polygon_star(build, &polygon, point);
-    paradt__plane_pad(build);
     paradt__kept_spheres(build, x, &centred, &polygon, kernels);
     PARADT_ASSERT(build->update.made_count == build->rim_count);
     return PARADT_OK;
@@ -11813,7 +11816,7 @@ static paradt_status paradt__plane_insert(paradt__insertion *build, paradt_index
 // time where the processor has AVX2 and FMA. They differ from the plain ones in the last bits of powers at most, and
 // powers decide nothing where these bits matter. In names `four` stands for four lanes. Doors: PARADT__KEPT_AVX2,
 // paradt__kept_insert_avx2, paradt__dot_avx2, paradt__four_spheres, paradt__four_differences, paradt__abs_avx2,
-// paradt__two_halves, paradt__four_store, paradt__four_least.
+// paradt__two_halves, paradt__four_store.
 
 #if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
 #define PARADT__KEPT_AVX2 1
