@@ -19343,9 +19343,9 @@ static size_t paradt__hull_sample(const paradt__sifting *sifting, const paradt__
 }
 
 // Makes the sieve of a sample of `count` points, in place of that of a smaller one, for as many points as `next`.
-// *pays: 0: it would not pay, and there is none
+// *pays: 0: it would not pay, and there is none. *vertices: of the sample's hull; 0 if the sample is flat
 static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__sieve *sieve, const double *high,
-                                          size_t count, size_t next, double *coordinates, int *pays) {
+                                          size_t count, size_t next, double *coordinates, int *pays, size_t *vertices) {
     paradt__memory *memory = sifting->memory;
     paradt__team alone = *sifting->team; // which reports no progress
     paradt__counters counters;
@@ -19356,7 +19356,8 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
     paradt_index *representative = (paradt_index *)paradt__alloc(memory, sample.count + 1, sizeof *representative);
     unsigned char *met = (unsigned char *)paradt__alloc(memory, sample.count + 1, 1);
     paradt_status status = representative && met ? PARADT_OK : PARADT_ERROR_MEMORY;
-    size_t bad = 0, i, vertices = 0;
+    size_t bad = 0, i;
+    *vertices = 0;
     sample.data = coordinates;
     alone.tasks = 1;
     alone.progress.share = 0.0;
@@ -19371,10 +19372,10 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
         status = paradt__hull_mesh(&set, &alone, memory, &mesh, &counters);
         if (!status) memset(met, 0, sample.count);
         for (i = 0; i < mesh.count * (size_t)mesh.corners && !status; i++) {
-            vertices += !met[mesh.vertices[i]];
+            *vertices += !met[mesh.vertices[i]];
             met[mesh.vertices[i]] = 1;
         }
-        *pays = !status && 2 * vertices < count; // else more than half of all points are outside
+        *pays = !status && 2 * *vertices < count; // else more than half of all points are outside
     }
     *pays = *pays && mesh.count <= (size_t)INT32_MAX && paradt__sieve_scale(sieve, high, next);
     if (*pays) status = paradt__sieve_make(sieve, &mesh, &set, coordinates, memory);
@@ -19385,11 +19386,13 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
     return status;
 }
 
-// Makes the sieve, if one pays: sieve->cells is NULL if there is none. high: of the box of all points
+// Makes the sieve, if one pays: sieve->cells is NULL if there is none. Where all of a few points are vertices of their
+// hull, as on a sphere, none will: of 128 points in a ball in five dimensions 97 are. high: of the box of all points
 static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve *sieve, const double *high) {
     static const size_t least[] = {0, 0, 256, 512, 512, 64, 0, 0, 0}; // points of the first sample; 0: no sieve
-    enum { STEP = 32 };                                               // from one sample to the next, and to all
+    enum { STEP = 32, FEW = 128 };                                    // from one sample to the next, and to all
     size_t all = sifting->source->points.count, count = all / STEP, size = (size_t)sieve->dim * sizeof(double);
+    size_t vertices = 0;
     double *coordinates;
     paradt_status status = PARADT_OK;
     int pays = 1;
@@ -19397,9 +19400,9 @@ static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve
     coordinates = (double *)paradt__alloc(sifting->memory, count, size);
     if (!coordinates) return PARADT_ERROR_MEMORY;
     while (count / STEP >= least[sieve->dim]) count /= STEP;
-    for (; count <= all / STEP && pays && !status; count *= STEP) {
-        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays);
-    }
+    if (count > FEW) status = paradt__sieve_refine(sifting, sieve, high, FEW, count, coordinates, &pays, &vertices);
+    for (pays = vertices < FEW; count <= all / STEP && pays && !status; count *= STEP)
+        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays, &vertices);
     paradt__release(sifting->memory, coordinates);
     return status;
 }
