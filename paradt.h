@@ -1592,7 +1592,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     conflict graph               346   randomized incremental construction: regions, conflicts, one facet's step
 //     conflict rounds              408   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
-//     hull of points               103   convex hulls
+//     hull of points               165   convex hulls
 //     nodes                         65   the memory of all cells ever made
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      131   the dag of all cells, by which points are located
@@ -1615,9 +1615,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     triangulate                  390   the entry
 //   use
 //     minors                        67   determinants with bounds, in floating point
-//     hull points                  471   those that a hull has to look at
-//     hull faces                   336   planes, extreme points, measures
-//     hull                         270   the entry
+//     hull points                  470   those that a hull has to look at
+//     hull faces                   371   planes, extreme points, measures
+//     hull                         295   the entry
 //     given triangulation          198   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
@@ -14195,31 +14195,93 @@ PARADT__INLINE size_t paradt__furthest_of(const paradt__set *set, const paradt_i
     return best;
 }
 
-// Moves points that are far out to the front of an order by chance: of each 1024 points the one that is furthest in a
+// --- points that are far out first
+//
+// Points that are far out go to the front of an order by chance: of each 1024 points the one that is furthest in a
 // direction by chance, then of each 512 of the others, and so on. In a ball of five dimensions that saves half of the
 // time, for facets made of inner points are made in vain. The directions are chosen anew for each group: so an order of
-// points that are all on the hull remains one by chance.
-PARADT__HOT paradt_status paradt__outer_first(const paradt__set *set, const paradt__team *team, paradt_index *order) {
-    enum { GROUP = 1024 };
+// points that are all on the hull remains one by chance. Each block of 1024 points is dealt with while it is in the
+// cache, and by one task.
+
+enum { PARADT__OUTER_BLOCK = 1024, PARADT__OUTER_LEVELS = 11 };
+
+typedef struct paradt__outer {
+    const paradt__set *set;
+    const paradt__team *team;
+    paradt_index *order; // [set->count] by chance; the points of a block change places
+    paradt_index *outer; // [set->count] those far out first
     double widths[PARADT_MAX_DIM];
-    size_t front = 0, group, begin, looked = 0;
-    int j;
-    if (!set->space.bounded) return PARADT_OK;
-    for (j = 0; j < set->space.dim; j++) {
-        double width = paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]);
-        widths[j] = width > paradt__power(-400) ? 1 / width : 0.0;
-    }
-    for (group = GROUP; group > 1; group /= 2) {
-        for (begin = front; begin + group <= set->count; begin += group) {
-            size_t best = paradt__furthest_of(set, order, begin, begin + group, widths, begin * group);
-            paradt_index point = order[best];
-            looked += group;
-            if (looked % PARADT__PACE < group && paradt__team_cancels(team, 0, 0.0)) return PARADT_ERROR_CANCELLED;
-            order[best] = order[front];
-            order[front++] = point;
+    size_t begin[PARADT__OUTER_LEVELS]; // where in `outer` the points of a level begin; those of the last are the rest
+    size_t each[PARADT__OUTER_LEVELS];  // points that a whole block has of the level
+} paradt__outer;
+
+// How many of the `left` points of a block are taken at a level; the next one finds fewer left
+PARADT__INLINE size_t paradt__outer_taken(size_t *left, int level) {
+    size_t taken = level + 1 < PARADT__OUTER_LEVELS ? *left / ((size_t)PARADT__OUTER_BLOCK >> level) : *left;
+    *left -= taken;
+    return taken;
+}
+
+// Moves those points of order[begin, end), a block, that are far out to its front, level by level.
+PARADT__INLINE void paradt__outer_block(const paradt__outer *o, size_t begin, size_t end) {
+    size_t front = begin, group, at;
+    for (group = PARADT__OUTER_BLOCK; group > 1; group /= 2) {
+        for (at = front; at + group <= end; at += group) {
+            size_t best = paradt__furthest_of(o->set, o->order, at, at + group, o->widths, at * group);
+            paradt_index point = o->order[best];
+            o->order[best] = o->order[front];
+            o->order[front++] = point;
         }
     }
-    return PARADT_OK;
+}
+
+// Orders a task's blocks, and copies the points of each level to those of the other blocks.
+PARADT__HOT void paradt__outer_task(void *context, size_t task) {
+    enum { TOGETHER = 16 }; // blocks
+    const paradt__outer *o = (const paradt__outer *)context;
+    const size_t size = PARADT__OUTER_BLOCK, count = o->set->count;
+    size_t block, last = paradt__loader_range(o->team, (count + size - 1) / size, task, &block);
+    for (; block < last; block++) {
+        size_t begin = block * size, end = count - begin < size ? count : begin + size, left = end - begin, at = begin;
+        int level;
+        if (block % TOGETHER == 0 && paradt__team_cancels(o->team, task, 0.0)) return;
+        paradt__outer_block(o, begin, end);
+        for (level = 0; level < PARADT__OUTER_LEVELS; level++) {
+            size_t taken = paradt__outer_taken(&left, level), to = o->begin[level] + block * o->each[level];
+            memcpy(o->outer + to, o->order + at, taken * sizeof *o->outer);
+            at += taken;
+        }
+    }
+}
+
+// Replaces an order by chance by one in which points that are far out come first. *order: a block; NULL is an error of
+// memory
+PARADT__HOT paradt_status paradt__outer_first(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                              paradt_index **order) {
+    const size_t blocks = set->count / PARADT__OUTER_BLOCK;
+    size_t whole = PARADT__OUTER_BLOCK, rest = set->count % PARADT__OUTER_BLOCK, before = 0;
+    paradt__outer o;
+    int i;
+    if (!*order) return PARADT_ERROR_MEMORY;
+    if (!set->space.bounded) return PARADT_OK;
+    o.set = set;
+    o.team = team;
+    o.order = *order;
+    for (i = 0; i < set->space.dim; i++) {
+        double width = paradt__from_ordered_bits(set->space.high[i]) - paradt__from_ordered_bits(set->space.low[i]);
+        o.widths[i] = width > paradt__power(-400) ? 1 / width : 0.0;
+    }
+    for (i = 0; i < PARADT__OUTER_LEVELS; i++) {
+        o.begin[i] = before;
+        o.each[i] = paradt__outer_taken(&whole, i);
+        before += blocks * o.each[i] + paradt__outer_taken(&rest, i);
+    }
+    o.outer = (paradt_index *)paradt__alloc_filled(memory, set->count, sizeof *o.outer);
+    if (!o.outer) return PARADT_ERROR_MEMORY;
+    paradt__team_run(team, paradt__outer_task, &o);
+    paradt__release(memory, *order);
+    *order = o.outer;
+    return paradt__team_cancelled(team) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // Makes the mesh of the facets of the convex hull of a set, whose affine dimension is set->space.dim = k >= 1: k
@@ -14241,7 +14303,7 @@ PARADT__OPTIONAL paradt_status paradt__hull_facets(const paradt__set *set, const
     paradt__mesh_begin(facets, set->space.dim, 0);
     if (set->space.dim == 1) return paradt__hull_of_line(set, memory, facets);
     order = paradt__shuffled_order(set->count, memory);
-    status = order ? paradt__outer_first(set, team, order) : PARADT_ERROR_MEMORY;
+    status = paradt__outer_first(set, team, memory, &order);
     if (status) {
         paradt__release(memory, order);
         return status;
@@ -19578,9 +19640,9 @@ static size_t paradt__hull_sample(const paradt__sifting *sifting, const paradt__
 }
 
 // Makes the sieve of a sample of `count` points, in place of that of a smaller one, for as many points as `next`.
-// *pays: 0: it would not pay, and there is none
+// *pays: 0: it would not pay, and there is none. *vertices: of the sample's hull; 0 if the sample is flat
 static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__sieve *sieve, const double *high,
-                                          size_t count, size_t next, double *coordinates, int *pays) {
+                                          size_t count, size_t next, double *coordinates, int *pays, size_t *vertices) {
     paradt__memory *memory = sifting->memory;
     paradt__team alone = *sifting->team; // which reports no progress
     paradt__counters counters;
@@ -19591,7 +19653,8 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
     paradt_index *representative = (paradt_index *)paradt__alloc(memory, sample.count + 1, sizeof *representative);
     unsigned char *met = (unsigned char *)paradt__alloc(memory, sample.count + 1, 1);
     paradt_status status = representative && met ? PARADT_OK : PARADT_ERROR_MEMORY;
-    size_t bad = 0, i, vertices = 0;
+    size_t bad = 0, i;
+    *vertices = 0;
     sample.data = coordinates;
     alone.tasks = 1;
     alone.progress.share = 0.0;
@@ -19606,10 +19669,10 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
         status = paradt__hull_mesh(&set, &alone, memory, &mesh, &counters);
         if (!status) memset(met, 0, sample.count);
         for (i = 0; i < mesh.count * (size_t)mesh.corners && !status; i++) {
-            vertices += !met[mesh.vertices[i]];
+            *vertices += !met[mesh.vertices[i]];
             met[mesh.vertices[i]] = 1;
         }
-        *pays = !status && 2 * vertices < count; // else more than half of all points are outside
+        *pays = !status && 2 * *vertices < count; // else more than half of all points are outside
     }
     *pays = *pays && mesh.count <= (size_t)INT32_MAX && paradt__sieve_scale(sieve, high, next);
     if (*pays) status = paradt__sieve_make(sieve, &mesh, &set, coordinates, memory);
@@ -19620,11 +19683,13 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
     return status;
 }
 
-// Makes the sieve, if one pays: sieve->cells is NULL if there is none. high: of the box of all points
+// Makes the sieve, if one pays: sieve->cells is NULL if there is none. Where all of a few points are vertices of their
+// hull, as on a sphere, none will: of 128 points in a ball in five dimensions 97 are. high: of the box of all points
 static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve *sieve, const double *high) {
     static const size_t least[] = {0, 0, 256, 512, 512, 64, 0, 0, 0}; // points of the first sample; 0: no sieve
-    enum { STEP = 32 };                                               // from one sample to the next, and to all
+    enum { STEP = 32, FEW = 128 };                                    // from one sample to the next, and to all
     size_t all = sifting->source->points.count, count = all / STEP, size = (size_t)sieve->dim * sizeof(double);
+    size_t vertices = 0;
     double *coordinates;
     paradt_status status = PARADT_OK;
     int pays = 1;
@@ -19632,9 +19697,9 @@ static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve
     coordinates = (double *)paradt__alloc(sifting->memory, count, size);
     if (!coordinates) return PARADT_ERROR_MEMORY;
     while (count / STEP >= least[sieve->dim]) count /= STEP;
-    for (; count <= all / STEP && pays && !status; count *= STEP) {
-        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays);
-    }
+    if (count > FEW) status = paradt__sieve_refine(sifting, sieve, high, FEW, count, coordinates, &pays, &vertices);
+    for (pays = vertices < FEW; count <= all / STEP && pays && !status; count *= STEP)
+        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays, &vertices);
     paradt__release(sifting->memory, coordinates);
     return status;
 }
@@ -19673,7 +19738,9 @@ static paradt_status paradt__hull_sift(paradt__sifting *sifting, paradt__sieve *
 // which are the facets, and ridges where a mesh of cells has facets.
 //
 // Facets of one face are connected through ridges, and at each of these the facets' other vertices lie in one plane. So
-// a plane is what is reached through flat ridges, which are found by exact signs and noted in a byte a facet.
+// a plane is what is reached through flat ridges, which are noted in a byte a facet. The minors of a facet's vectors
+// are needed for its measures; most ridges are not flat by these minors and the bound of their errors, for the others
+// exact signs are taken.
 //
 // Extreme points. Let S(v) be the planes that v lies on. A point v of the hull that is not extreme lies in the interior
 // of a face F of dimension 1 at least, F is the intersection of the planes in S(v) with the hull, and F is triangulated
@@ -19681,8 +19748,39 @@ static paradt_status paradt__hull_sift(paradt__sifting *sifting, paradt__sieve *
 // alone, and no other point is on all the planes in S(v). So v is extreme if no w that shares a facet with v has all of
 // S(v): no arithmetic is needed. Most points need no lists: if a facet has no flat ridge at v then v is a corner of the
 // facet's plane, and extreme.
-// Doors: paradt__hull_planes, paradt__hull_vertices, paradt__hull_measure.
+//
+// Measures. The hull is cut into simplices, each the join of a facet with one place, the first facet's first vertex:
+// none of them has a negative volume. A facet's rows are its vertices less the first one, and then that place less the
+// first one, so that the error is small where the facet is. Coordinates are brought below 1 by a power of two, and the
+// sums back in the end.
+// Doors: paradt__hull_look, paradt__hull_planes, paradt__hull_vertices, paradt__hull_measure.
 
+// A sum of numbers that are not negative: part i is 0 or a sum of 2^i of them. So each is rounded 64 times at most,
+// and again where the sums of tasks are added.
+typedef struct paradt__cascade {
+    double part[64];
+    uint64_t count;
+} paradt__cascade;
+
+PARADT__INLINE void paradt__cascade_add(paradt__cascade *sum, double x) {
+    uint64_t count = sum->count++;
+    int i = 0;
+    for (; count & 1; count >>= 1, i++) x += sum->part[i];
+    sum->part[i] = x;
+}
+
+static double paradt__cascade_end(const paradt__cascade *sum) {
+    double x = 0;
+    int i;
+    for (i = 0; i < 64; i++) x += sum->count >> i & 1 ? sum->part[i] : 0.0;
+    return x;
+}
+
+typedef struct paradt__measured {
+    paradt__cascade area, area_error, volume, volume_error;
+} paradt__measured;
+
+// What the steps of this section work on. The owner fills what comes before `scale`.
 typedef struct paradt__faces {
     paradt__set *set;
     const paradt__mesh *mesh;
@@ -19692,41 +19790,126 @@ typedef struct paradt__faces {
         *flat; // [facets] bit i: the ridge opposite vertex i is flat; each ridge is noted at its smaller handle
     paradt_index *plane; // [facets]
     size_t plane_count;
-    unsigned char *kind; // [set.count] PARADT__HULL_* bits of a point
-    int unit;            // the caller's coordinates are 2^unit times the set's
+    unsigned char *kind;              // [set.count] PARADT__HULL_* bits of a point
+    int unit;                         // the caller's coordinates are 2^unit times the set's
+    int scale;                        // the set's coordinates are 2^scale times those that are measured
+    size_t flats[PARADT__MOST_TASKS]; // facets that have a flat ridge noted, by task
+    int general;                      // 1: none has
+    int minors;                       // 1: a facet's minors may tell that a ridge is not flat
+    paradt__measured sums[PARADT__MOST_TASKS];
     paradt__counters counters[PARADT__MOST_TASKS];
 } paradt__faces;
 
 enum { PARADT__HULL_VERTEX = 1, PARADT__HULL_EXTREME = 2, PARADT__HULL_PACE = 1 << 12 };
 
-// --- planes
+// --- one look at each facet
 
-// Finds the flat ridges of a task's facets.
-PARADT__HOT void paradt__hull_flat_task(void *context, size_t task) {
-    paradt__faces *faces = (paradt__faces *)context;
+// Adds the measures of one facet. x: its vertices, then the place that all simplices have in common
+PARADT__INLINE void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table *table,
+                                           double (*x)[PARADT_MAX_DIM], int k, int ambient) {
+    double error, measure;
+    int i, j;
+    for (i = 0; i < k; i++)
+        for (j = 0; j < ambient; j++) table->row[i][j] = x[i + 1][j] - x[0][j];
+    paradt__minors_of(table, k, ambient);
+    measure = k > 1 ? paradt__minors_measure(table, k - 1, ambient, &error) : (error = 0, 1.0);
+    paradt__cascade_add(&sums->area, measure);
+    paradt__cascade_add(&sums->area_error, error);
+    measure = paradt__minors_measure(table, k, ambient, &error);
+    paradt__cascade_add(&sums->volume, measure);
+    paradt__cascade_add(&sums->volume_error, error);
+}
+
+// Is a ridge of the facet not flat for certain? table: the facet's, in as many dimensions as it has vertices. x: the
+// facet's first vertex and the other facet's vertex beyond the ridge. Their determinant is expanded along the last row,
+// as in >>minors; 2^-900 makes up for what is lost where numbers are tiny.
+PARADT__INLINE int paradt__hull_is_bent(const paradt__minors_table *table, const double *x, const double *beyond,
+                                        int k) {
+    double sum = 0, size = 0;
+    int j;
+    for (j = 0; j < k; j++) {
+        double across = beyond[j] - x[j];
+        sum = across * table->minor[((1u << k) - 1) ^ (1u << j)] - sum;
+        size += paradt__abs(across) * table->size[((1u << k) - 1) ^ (1u << j)];
+    }
+    return paradt__abs(sum) > paradt__minors_factor(k) * size + paradt__power(-900);
+}
+
+// Reads a point as it is measured. factor: 2^-scale, or 0: that is too small or large
+PARADT__INLINE void paradt__hull_place(const paradt__faces *faces, paradt_index vertex, double factor, double *x,
+                                       int ambient) {
+    const double *p = paradt__record(faces->set, vertex);
+    int j, exact = 1;
+    for (j = 0; j < ambient; j++) x[j] = factor > 0 ? p[j] * factor : paradt__scale(p[j], -faces->scale, &exact);
+}
+
+// Measures a facet and finds out which of its ridges are flat.
+PARADT__INLINE unsigned paradt__hull_look_at(const paradt__faces *faces, size_t facet, double factor,
+                                             paradt__space *space, paradt__minors_table *table, paradt__measured *sums,
+                                             int k, int ambient) {
     const paradt__mesh *mesh = faces->mesh;
-    paradt__space space = faces->set->space;
+    const paradt_index *vertices = mesh->vertices + facet * (size_t)k;
     const double *p[PARADT_MAX_DIM + 1];
-    int corners = mesh->corners, i;
-    size_t facet, end = paradt__loader_range(faces->team, mesh->count, task, &facet), first = facet;
+    double x[PARADT_MAX_DIM + 1][PARADT_MAX_DIM], beyond[PARADT_MAX_DIM];
+    unsigned flat = 0;
+    int i;
+    for (i = 0; i < k; i++) paradt__hull_place(faces, vertices[i], factor, x[i], ambient);
+    paradt__hull_place(faces, mesh->vertices[0], factor, x[k], ambient);
+    paradt__hull_add_facet(sums, table, x, k, ambient);
+    for (i = 0; i < k; i++) p[i] = paradt__record(faces->set, vertices[i]);
+    for (i = 0; i < k && k > 1; i++) {
+        paradt_index handle = (paradt_index)(facet * (size_t)k) + i, mirror = mesh->links[handle];
+        if (mirror < handle) continue;
+        paradt__hull_place(faces, mesh->vertices[mirror], factor, beyond, ambient);
+        if (faces->minors && paradt__hull_is_bent(table, x[0], beyond, k)) continue;
+        p[k] = paradt__record(faces->set, mesh->vertices[mirror]);
+        flat |= (unsigned)!paradt__orient(space, p) << i;
+    }
+    return flat;
+}
+
+// Looks at a task's facets: one part in turn, for the later ones have fewer ridges that are noted with them.
+PARADT__HOT void paradt__hull_look_task(void *context, size_t task) {
+    paradt__faces *faces = (paradt__faces *)context;
+    const int k = faces->mesh->corners, d = faces->set->space.ambient;
+    const double factor = faces->scale >= -900 && faces->scale <= 900 ? paradt__power(-faces->scale) : 0.0;
+    const size_t count = faces->mesh->count, tasks = faces->team->tasks;
+    paradt__space space = faces->set->space;
+    paradt__minors_table table;
+    size_t part = task * PARADT__HULL_PACE, facet, end;
     memset(&space.counters, 0, sizeof space.counters);
-    for (; facet < end; facet++) {
-        const paradt_index *vertices = mesh->vertices + facet * (size_t)corners;
-        unsigned flat = 0;
-        if (facet % PARADT__HULL_PACE == 0 &&
-            paradt__team_cancels(faces->team, task, (double)(facet - first) / (double)(end - first)))
-            break;
-        for (i = 0; i < corners; i++) p[i] = paradt__record(faces->set, vertices[i]);
-        for (i = 0; i < corners && corners > 1; i++) {
-            paradt_index handle = (paradt_index)(facet * (size_t)corners) + i, mirror = mesh->links[handle];
-            if (mirror < handle) continue;
-            p[corners] = paradt__record(faces->set, mesh->vertices[mirror]);
-            flat |= (unsigned)!paradt__orient(&space, p) << i;
+    for (; part < count; part += tasks * PARADT__HULL_PACE) {
+        if (paradt__team_cancels(faces->team, task, (double)part / (double)count)) break;
+        end = part + PARADT__HULL_PACE < count ? part + PARADT__HULL_PACE : count;
+        for (facet = part; facet < end; facet++) {
+            unsigned flat = PARADT_MAX_DIM > 2 && k == 3 && d == 3
+                                ? paradt__hull_look_at(faces, facet, factor, &space, &table, &faces->sums[task], 3, 3)
+                                : paradt__hull_look_at(faces, facet, factor, &space, &table, &faces->sums[task], k, d);
+            faces->flat[facet] = (unsigned char)flat;
+            faces->flats[task] += flat != 0;
         }
-        faces->flat[facet] = (unsigned char)flat;
     }
     faces->counters[task] = space.counters;
 }
+
+// Looks at all facets. counters: is added to
+static paradt_status paradt__hull_look(paradt__faces *faces, paradt__counters *counters) {
+    size_t task;
+    faces->scale = paradt__max(faces->set->space.coordinates.top, -1000);
+    faces->minors = faces->mesh->corners == faces->set->space.ambient && paradt__precise();
+    memset(faces->sums, 0, sizeof faces->sums);
+    memset(faces->flats, 0, sizeof faces->flats);
+    paradt__team_run(faces->team, paradt__hull_look_task, faces);
+    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
+    faces->general = 1;
+    for (task = 0; task < faces->team->tasks; task++) {
+        paradt__counters_add(counters, &faces->counters[task]);
+        faces->general &= !faces->flats[task];
+    }
+    return PARADT_OK;
+}
+
+// --- planes
 
 // Is the ridge of a handle flat?
 PARADT__INLINE int paradt__hull_is_flat(const paradt__faces *faces, paradt_index handle) {
@@ -19735,19 +19918,16 @@ PARADT__INLINE int paradt__hull_is_flat(const paradt__faces *faces, paradt_index
 }
 
 // Numbers the planes: faces->plane, which is the result's.
-PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces, paradt__counters *counters) {
+PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces) {
     const paradt__mesh *mesh = faces->mesh;
     paradt__list stack;
     paradt_status status = PARADT_OK;
-    size_t facet, task;
+    size_t facet;
     int i;
-    memset(faces->counters, 0, sizeof faces->counters);
-    paradt__team_run(faces->team, paradt__hull_flat_task, faces);
-    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
-    for (task = 0; task < faces->team->tasks; task++) paradt__counters_add(counters, &faces->counters[task]);
     memset(&stack, 0, sizeof stack);
-    for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = -1;
-    for (facet = 0; facet < mesh->count && !status; facet++) {
+    faces->plane_count = faces->general ? mesh->count : 0;
+    for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = faces->general ? (paradt_index)facet : -1;
+    for (facet = 0; facet < mesh->count && !faces->general && !status; facet++) {
         if (faces->plane[facet] >= 0) continue;
         faces->plane[facet] = (paradt_index)faces->plane_count;
         status = paradt__list_append(&stack, (paradt_index)facet, faces->memory);
@@ -19860,7 +20040,9 @@ PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__me
     size_t facet, point, unknown = 0;
     int i;
     memset(faces->kind, 0, faces->set->count);
-    for (facet = 0; facet < mesh->count; facet++) {
+    for (facet = 0; facet < mesh->count * (size_t)mesh->corners && faces->general; facet++)
+        faces->kind[mesh->vertices[facet]] = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
+    for (facet = 0; facet < mesh->count && !faces->general; facet++) {
         const paradt_index *vertices = mesh->vertices + facet * (size_t)mesh->corners;
         unsigned flat = 0;
         for (i = 0; i < mesh->corners; i++)
@@ -19883,52 +20065,6 @@ PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__me
 }
 
 // --- measures
-//
-// The hull is cut into simplices, each the join of a facet with one place, the set's first vertex: none of them has a
-// negative volume. A facet's rows are its vertices less the first one, and then that place less the first one, so that
-// the error is small where the facet is. Coordinates are brought below 1 by a power of two, and the sums back in the
-// end.
-
-// A sum of numbers that are not negative: part i is 0 or a sum of 2^i of them. So each is rounded 64 times at most,
-// and again where the sums of tasks are added.
-typedef struct paradt__cascade {
-    double part[64];
-    uint64_t count;
-} paradt__cascade;
-
-PARADT__INLINE void paradt__cascade_add(paradt__cascade *sum, double x) {
-    uint64_t count = sum->count++;
-    int i = 0;
-    for (; count & 1; count >>= 1, i++) x += sum->part[i];
-    sum->part[i] = x;
-}
-
-static double paradt__cascade_end(const paradt__cascade *sum) {
-    double x = 0;
-    int i;
-    for (i = 0; i < 64; i++) x += sum->count >> i & 1 ? sum->part[i] : 0.0;
-    return x;
-}
-
-typedef struct paradt__measured {
-    paradt__cascade area, area_error, volume, volume_error;
-} paradt__measured;
-
-// Adds the measures of one facet. x: its vertices, then the place that all simplices have in common
-PARADT__INLINE void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table *table,
-                                           double (*x)[PARADT_MAX_DIM], int k, int ambient) {
-    double error, measure;
-    int i, j;
-    for (i = 0; i < k; i++)
-        for (j = 0; j < ambient; j++) table->row[i][j] = x[i + 1][j] - x[0][j];
-    paradt__minors_of(table, k, ambient);
-    measure = k > 1 ? paradt__minors_measure(table, k - 1, ambient, &error) : (error = 0, 1.0);
-    paradt__cascade_add(&sums->area, measure);
-    paradt__cascade_add(&sums->area_error, error);
-    measure = paradt__minors_measure(table, k, ambient, &error);
-    paradt__cascade_add(&sums->volume, measure);
-    paradt__cascade_add(&sums->volume_error, error);
-}
 
 // Ends a measure of `count` facets: divides the sum by k! and scales it back. unit: the exponent of the coordinates'
 // scale
@@ -19948,58 +20084,22 @@ static double paradt__hull_end_measure(const paradt__cascade *sum, const paradt_
     return value;
 }
 
-typedef struct paradt__measuring_hull {
-    const paradt__faces *faces;
-    paradt__measured sums[PARADT__MOST_TASKS];
-    int unit; // exponent of the scale of the set's coordinates
-} paradt__measuring_hull;
-
-// Measures a task's facets.
-PARADT__HOT void paradt__hull_measure_task(void *context, size_t task) {
-    paradt__measuring_hull *measuring = (paradt__measuring_hull *)context;
-    const paradt__faces *faces = measuring->faces;
-    const paradt__mesh *mesh = faces->mesh;
-    paradt__minors_table table;
-    double x[PARADT_MAX_DIM + 1][PARADT_MAX_DIM];
-    int k = mesh->corners, d = faces->set->space.ambient, unit = measuring->unit, i, j, exact = 1;
-    double factor = unit >= -900 && unit <= 900 ? paradt__power(-unit) : 0.0;
-    size_t facet, end = paradt__loader_range(faces->team, mesh->count, task, &facet);
-    for (; facet < end; facet++) {
-        if (facet % PARADT__HULL_PACE == 0 && paradt__team_cancels(faces->team, task, 1.0)) return;
-        for (i = 0; i <= k; i++) {
-            const double *p =
-                paradt__record(faces->set, i < k ? mesh->vertices[facet * (size_t)k + (size_t)i] : mesh->vertices[0]);
-            for (j = 0; j < d; j++) x[i][j] = factor > 0 ? p[j] * factor : paradt__scale(p[j], -unit, &exact);
-        }
-        if (k == 3 && d == 3) paradt__hull_add_facet(&measuring->sums[task], &table, x, PARADT_MAX_DIM > 2 ? 3 : 2, 3);
-        else paradt__hull_add_facet(&measuring->sums[task], &table, x, k, d);
-    }
-}
-
-// Measures the boundary and the hull.
-static paradt_status paradt__hull_measure(const paradt__faces *faces, paradt_hull *hull) {
-    paradt__measuring_hull measuring;
+// Ends the measures of the boundary and the hull.
+static void paradt__hull_measure(const paradt__faces *faces, paradt_hull *hull) {
     paradt__measured sums;
-    int k = faces->mesh->corners, unit;
+    int k = faces->mesh->corners, unit = faces->scale + faces->unit;
     size_t task;
-    memset(&measuring, 0, sizeof measuring);
     memset(&sums, 0, sizeof sums);
-    measuring.faces = faces;
-    measuring.unit = paradt__max(faces->set->space.coordinates.top, -1000);
-    paradt__team_run(faces->team, paradt__hull_measure_task, &measuring);
-    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
     for (task = 0; task < faces->team->tasks; task++) {
-        paradt__cascade_add(&sums.area, paradt__cascade_end(&measuring.sums[task].area));
-        paradt__cascade_add(&sums.area_error, paradt__cascade_end(&measuring.sums[task].area_error));
-        paradt__cascade_add(&sums.volume, paradt__cascade_end(&measuring.sums[task].volume));
-        paradt__cascade_add(&sums.volume_error, paradt__cascade_end(&measuring.sums[task].volume_error));
+        paradt__cascade_add(&sums.area, paradt__cascade_end(&faces->sums[task].area));
+        paradt__cascade_add(&sums.area_error, paradt__cascade_end(&faces->sums[task].area_error));
+        paradt__cascade_add(&sums.volume, paradt__cascade_end(&faces->sums[task].volume));
+        paradt__cascade_add(&sums.volume_error, paradt__cascade_end(&faces->sums[task].volume_error));
     }
-    unit = measuring.unit + faces->unit;
     hull->area =
         paradt__hull_end_measure(&sums.area, &sums.area_error, faces->mesh->count, k - 1, unit, &hull->area_error);
     hull->volume =
         paradt__hull_end_measure(&sums.volume, &sums.volume_error, faces->mesh->count, k, unit, &hull->volume_error);
-    return PARADT_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -20079,12 +20179,6 @@ static paradt_status paradt__hull_load(paradt__hull_work *work, const paradt_poi
     return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
 }
 
-// The caller's index of a position
-PARADT__INLINE paradt_index paradt__hull_index(const paradt__hull_work *work, paradt_index position) {
-    paradt_index index = work->set.origin[position];
-    return work->kept ? work->kept[index] : index;
-}
-
 // Lists the vertices, the extreme ones first. kind: [set.count] as in struct paradt__faces
 PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsigned char *kind, paradt_hull *hull) {
     const unsigned char extreme = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
@@ -20135,9 +20229,10 @@ static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull 
     faces.plane = hull->plane = (paradt_index *)paradt__alloc(&work->memory, work->mesh.count, sizeof *faces.plane);
     faces.kind = (unsigned char *)paradt__alloc(&work->memory, work->set.count, 1);
     status = faces.flat && faces.plane && faces.kind ? PARADT_OK : PARADT_ERROR_MEMORY;
-    if (!status) status = paradt__hull_planes(&faces, &counters);
+    if (!status) status = paradt__hull_look(&faces, &counters);
+    if (!status) status = paradt__hull_planes(&faces);
     if (!status) status = paradt__hull_vertices(&faces, &work->meter);
-    if (!status) status = paradt__hull_measure(&faces, hull);
+    if (!status) paradt__hull_measure(&faces, hull);
     if (!status) status = paradt__hull_list(work, faces.kind, hull);
     hull->plane_count = faces.plane_count;
     paradt__count_predicates(&work->stats, &counters);
@@ -20146,16 +20241,46 @@ static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull 
     return status;
 }
 
+// Facets that are handed over by tasks
+typedef struct paradt__hull_rows {
+    const paradt__hull_work *work;
+    const paradt__team *team;
+    int neighbors; // links become the numbers of facets
+} paradt__hull_rows;
+
+PARADT__INLINE void paradt__hull_emit(const paradt__hull_work *work, size_t i, size_t end, int neighbors,
+                                      paradt__tag corners) {
+    const paradt_index *kept = work->kept, *origin = work->set.origin;
+    paradt_index *vertices = work->mesh.vertices, *links = work->mesh.links;
+    for (; i < end; i++) {
+        paradt_index index = origin[vertices[i]];
+        vertices[i] = kept ? kept[index] : index;
+        if (neighbors) links[i] = (paradt_index)((paradt__tag)links[i] / corners);
+    }
+}
+
+PARADT__HOT void paradt__hull_rows_task(void *context, size_t task) {
+    const paradt__hull_rows *rows = (const paradt__hull_rows *)context;
+    const paradt__mesh *mesh = &rows->work->mesh;
+    size_t i, end = paradt__loader_range(rows->team, mesh->count * (size_t)mesh->corners, task, &i);
+    if (mesh->corners == 3) paradt__hull_emit(rows->work, i, end, rows->neighbors, 3);
+    else if (mesh->corners == 4) paradt__hull_emit(rows->work, i, end, rows->neighbors, 4);
+    else if (mesh->corners == 5) paradt__hull_emit(rows->work, i, end, rows->neighbors, 5);
+    else paradt__hull_emit(rows->work, i, end, rows->neighbors, (paradt__tag)mesh->corners);
+}
+
 // Hands the facets over: vertices become the caller's indices, links what the flags ask for.
-PARADT__HOT void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
+static void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
     paradt__mesh *mesh = &work->mesh;
-    size_t i, all = mesh->count * (size_t)mesh->corners;
-    for (i = 0; i < all; i++) mesh->vertices[i] = paradt__hull_index(work, mesh->vertices[i]);
+    paradt__team team = paradt__hull_team(work, PARADT__HULL_ENDS);
+    paradt__hull_rows rows;
+    rows.work = work;
+    rows.team = &team;
+    rows.neighbors = !(work->options.flags & (PARADT_NO_NEIGHBORS | PARADT_FACETS));
+    paradt__team_run(&team, paradt__hull_rows_task, &rows);
     if (work->options.flags & PARADT_NO_NEIGHBORS) {
         paradt__release(&work->memory, mesh->links);
         mesh->links = NULL;
-    } else if (!(work->options.flags & PARADT_FACETS)) {
-        for (i = 0; i < all; i++) mesh->links[i] /= mesh->corners;
     }
     hull->facet_count = mesh->count;
     hull->facets = mesh->vertices;
