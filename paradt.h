@@ -1289,7 +1289,7 @@ PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const do
 
 // Copies the triangulation: cells in ids, numbered from 0 without gaps; representative[id] is -2 for a free id. The
 // arrays come from the set's allocator; paradt_free frees them. neighbors are cells.
-// Errors: MEMORY. Thread-safe on a set that does not change. Cost: linear time.
+// Errors: MEMORY, CANCELLED. Thread-safe on a set that does not change. Cost: linear time.
 PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out);
 #endif
 
@@ -2199,9 +2199,9 @@ static double paradt__widen(uint32_t bits) {
 //
 // What runs on several threads: progress and cancelling, teams of tasks, giving up, and pauses of insertions that work
 // together; and the clock. Doors: paradt__progress_cancels, paradt__progress_of, paradt__meter_begin,
-// paradt__meter_done, paradt__meter_cancels, paradt__progress_of_task, paradt__team_of, paradt__few_of,
-// paradt__team_run, paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP, paradt__relay_pauses,
-// paradt__relay_waits, paradt__now.
+// paradt__meter_done, paradt__meter_cancels, paradt__meter_stops, paradt__progress_of_task, paradt__team_of,
+// paradt__few_of, paradt__team_run, paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP,
+// paradt__relay_pauses, paradt__relay_waits, paradt__now.
 
 // --- progress
 //
@@ -2249,6 +2249,12 @@ static int paradt__meter_cancels(paradt__meter *meter) {
         PARADT__ATOMIC_UNLOCK(&meter->calling);
     }
     return PARADT__ATOMIC_LOAD(&meter->cancelled);
+}
+
+// Asks once in so many steps of a plain loop, which are a few milliseconds. meter: NULL: nobody asks
+PARADT__INLINE int paradt__meter_stops(paradt__meter *meter, size_t step) {
+    enum { PACE = 1 << 17 };
+    return step % PACE == PACE - 1 && meter && paradt__meter_cancels(meter);
 }
 
 // A share of the work. *reported, 0 at first, is the caller's to keep for as long as somebody works on the share.
@@ -2552,8 +2558,9 @@ static double paradt__quantum(int exponent) {
 // 2^(n-1) u m_j, and the multipliers contribute three times as much. So the computed pivots are exactly those of a
 // matrix whose entries differ by at most e m_j, e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound the determinant of
 // that matrix differs by at most n e h P to first order, h = n^(n/2); the product of the pivots adds n u of itself.
-// Again the factor is twice as large. Errors are a hundredth of that in five dimensions and less in more: entries hardly
-// ever grow by pivots, and Hadamard's matrices are rare. What is known beforehand of all determinants is no more.
+// Again the factor is twice as large. Errors are a hundredth of that in five dimensions and less in more: entries
+// hardly ever grow by pivots, and Hadamard's matrices are rare. What is known beforehand of all determinants is no
+// more.
 static double paradt__rounding(int k, int n, int d, int weighted) {
     static const int roundings[3][2] = {{4, 7}, {8, 12}, {14, 19}}, factorial[] = {1, 1, 2, 6, 24, 120};
     static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
@@ -4214,12 +4221,17 @@ static uint64_t paradt__curve_key(const paradt__curve *curve, const double *poin
 }
 
 // Sorts records along the curve. On entry keyed[i].item are the positions of the records; the keys are made here.
-// other: scratch for as many.
-static void paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width, paradt__keyed *keyed,
-                               paradt__keyed *other, size_t count) {
+// other: scratch for as many. meter: NULL, or asked now and then
+static paradt_status paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width,
+                                        paradt__keyed *keyed, paradt__keyed *other, size_t count,
+                                        paradt__meter *meter) {
     size_t i;
-    for (i = 0; i < count; i++) keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    for (i = 0; i < count; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    }
     paradt__keyed_sort(keyed, other, count, curve->lattice.dim * curve->lattice.levels, 0);
+    return meter && paradt__meter_cancels(meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5125,7 +5137,7 @@ PARADT__HOT void paradt__sort_few(const paradt__loader *loader, size_t few, int 
     PARADT_ASSERT(2 * few <= loader->source->points.count);
     paradt__curve_begin(&curve, space->ambient, levels, space->low, space->high, few);
     for (i = 0; i < few; i++) loader->keyed[i].item = (paradt_index)((double)loader->sampled / (double)few * (double)i);
-    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few);
+    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few, NULL);
 }
 
 // Estimates the spacing of the set (see paradt__spacing) by that of few points: one in 2^(k dim) points is 2^k times as
@@ -9682,7 +9694,7 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
     enum { FEW = 16 }; // own points from one comparison of keys to the next
     size_t others = set->count - own, i, few, end, next = 0;
     for (i = 0; i < others; i++) sorted[i].item = (paradt_index)(own + i);
-    paradt__curve_sort(curve, set->records, set->width, sorted, other, others);
+    paradt__curve_sort(curve, set->records, set->width, sorted, other, others, NULL);
     for (i = 0; i < own; i += FEW) {
         uint64_t key = paradt__curve_key(curve, set->records + i * set->width);
         while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].item);
@@ -9721,7 +9733,7 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
         paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
                             set->count);
         for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
-        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count, NULL);
         for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
     } else {
         paradt__release(memory, order);
@@ -15271,6 +15283,7 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
     paradt_index open[PARADT__JOINED];
     paradt_status status = paradt__facets_begin(&table, 0, 0, memory);
     for (i = 0; i < facets && !status; i++) {
+        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (all->links[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
         if (count < PARADT__JOINED && i + 1 < facets) continue;
         status = paradt__facets_join(&table, all, open, count, 0, memory);
@@ -15278,7 +15291,8 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
         if (!status && i % PARADT__PACE < PARADT__JOINED && paradt__meter_cancels(meter))
             status = PARADT_ERROR_CANCELLED;
     }
-    for (i = 0; i < facets; i++) {
+    for (i = 0; i < facets && !status; i++) {
+        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (all->links[i] == PARADT__OPEN) all->links[i] = PARADT__HULL;
         *hull_facets += all->links[i] == PARADT__HULL;
     }
@@ -19498,7 +19512,9 @@ PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces, paradt__coun
     memset(&stack, 0, sizeof stack);
     for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = -1;
     for (facet = 0; facet < mesh->count && !status; facet++) {
-        if (faces->plane[facet] >= 0) continue;
+        if (facet % PARADT__HULL_PACE == 0 && paradt__team_cancels(faces->team, 0, 1.0))
+            status = PARADT_ERROR_CANCELLED;
+        if (faces->plane[facet] >= 0 || status) continue;
         faces->plane[facet] = (paradt_index)faces->plane_count;
         status = paradt__list_append(&stack, (paradt_index)facet, faces->memory);
         while (stack.count && !status) {
@@ -19613,6 +19629,7 @@ PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__me
     for (facet = 0; facet < mesh->count; facet++) {
         const paradt_index *vertices = mesh->vertices + facet * (size_t)mesh->corners;
         unsigned flat = 0;
+        if (paradt__meter_stops(meter, facet)) return PARADT_ERROR_CANCELLED;
         for (i = 0; i < mesh->corners; i++)
             flat |= (unsigned)paradt__hull_is_flat(faces, (paradt_index)(facet * (size_t)mesh->corners) + i) << i;
         for (i = 0; i < mesh->corners; i++)
@@ -19839,6 +19856,7 @@ PARADT__INLINE paradt_index paradt__hull_index(const paradt__hull_work *work, pa
 PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsigned char *kind, paradt_hull *hull) {
     const unsigned char extreme = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
     size_t i, pass, listed = 0;
+    paradt_status status = PARADT_OK;
     unsigned char *sorted = (unsigned char *)paradt__alloc(&work->memory, work->kept_count, 1); // kinds by index
     for (i = 0; i < work->set.count; i++) {
         hull->vertex_count += kind[i] != 0;
@@ -19851,14 +19869,15 @@ PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsig
     }
     memset(sorted, 0, work->kept_count);
     for (i = 0; i < work->set.count; i++) sorted[work->set.origin[i]] = kind[i];
-    for (pass = 0; pass < 2; pass++) {
-        for (i = 0; i < work->kept_count; i++) {
+    for (pass = 0; pass < 2 && !status; pass++) {
+        for (i = 0; i < work->kept_count && !status; i++) {
+            if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
             if (sorted[i] && (sorted[i] == extreme) == !pass)
                 hull->vertices[listed++] = work->kept ? work->kept[i] : (paradt_index)i;
         }
     }
     paradt__release(&work->memory, sorted);
-    return PARADT_OK;
+    return status;
 }
 
 // Returns the exponent by which the set's coordinates are smaller than the caller's: see paradt__set_scale.
@@ -19897,10 +19916,13 @@ static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull 
 }
 
 // Hands the facets over: vertices become the caller's indices, links what the flags ask for.
-PARADT__HOT void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
+PARADT__HOT paradt_status paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
     paradt__mesh *mesh = &work->mesh;
     size_t i, all = mesh->count * (size_t)mesh->corners;
-    for (i = 0; i < all; i++) mesh->vertices[i] = paradt__hull_index(work, mesh->vertices[i]);
+    for (i = 0; i < all; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
+        mesh->vertices[i] = paradt__hull_index(work, mesh->vertices[i]);
+    }
     if (work->options.flags & PARADT_NO_NEIGHBORS) {
         paradt__release(&work->memory, mesh->links);
         mesh->links = NULL;
@@ -19911,6 +19933,7 @@ PARADT__HOT void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull
     hull->facets = mesh->vertices;
     hull->neighbors = mesh->links;
     mesh->vertices = mesh->links = NULL;
+    return PARADT_OK;
 }
 
 // Builds the hull of the set and finds what its facets are together.
@@ -19924,7 +19947,7 @@ static paradt_status paradt__hull_build(paradt__hull_work *work, paradt_hull *hu
     status = paradt__hull_mesh(&work->set, &team, &work->memory, &work->mesh, &counters);
     paradt__count_predicates(&work->stats, &counters);
     if (!status) status = paradt__hull_describe(work, hull);
-    if (!status) paradt__hull_deliver(work, hull);
+    if (!status) status = paradt__hull_deliver(work, hull);
     return status;
 }
 
@@ -20176,18 +20199,26 @@ PARADT__INLINE paradt_status paradt__given_link_all(const paradt__mesh *mesh, si
 // cells and neighbours. facets: these are half-facets. After an error the caller frees the mesh.
 PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const paradt_triangulation *t, int facets,
                                                   paradt__memory *memory, paradt__meter *meter) {
+    enum { PACE = 1 << 16 }; // cells between two looks at whether the call is cancelled
     size_t corners = (size_t)(t->dim + 1), count = t->cell_count, hull = 0, i;
     paradt_status status;
     PARADT_ASSERT(t->dim >= 1 && t->cells && t->neighbors);
     paradt__mesh_begin(mesh, t->dim + 1, 0);
     if (count > paradt__most_cells(mesh->corners)) return PARADT_ERROR_INVALID;
-    for (i = 0; i < count * corners; i++) hull += t->neighbors[i] < 0;
+    for (i = 0; i < count * corners; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        hull += t->neighbors[i] < 0;
+    }
     status = paradt__mesh_reserve(mesh, count + hull, count + hull, memory);
     if (status) return status;
-    mesh->count = count;
-    paradt__mesh_make_pages(mesh, count + hull);
-    memcpy(mesh->vertices, t->cells, count * corners * sizeof *t->cells);
-    memcpy(mesh->links, t->neighbors, count * corners * sizeof *t->neighbors);
+    for (i = 0; i < count; i += PACE) { // rows are copied when their pages have been made
+        size_t end = count - i > PACE ? i + PACE : count, bytes = (end - i) * corners * sizeof *t->cells;
+        if (paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        mesh->count = end;
+        paradt__mesh_make_pages(mesh, end < count ? end : count + hull);
+        memcpy(mesh->vertices + i * corners, t->cells + i * corners, bytes);
+        memcpy(mesh->links + i * corners, t->neighbors + i * corners, bytes);
+    }
     status = corners == 4 ? paradt__given_link_all(mesh, t->point_count, facets, meter, 4)
                           : paradt__given_link_all(mesh, t->point_count, facets, meter, mesh->corners);
     return status ? status : paradt__given_ghosts(mesh, memory);
@@ -22986,21 +23017,27 @@ static void paradt__relation_rewind(paradt__relation *lists, size_t points) {
     lists->first[0] = 0;
 }
 
-// Lists the cells of each point, ascending. INVALID: a vertex is no point. After an error the caller frees the lists.
+// Lists the cells of each point, ascending. INVALID: a vertex is no point. meter: NULL, or asked now and then. After an
+// error the caller frees the lists.
 static paradt_status paradt__relation_of_cells(paradt__relation *lists, const paradt_index *cells, size_t count,
-                                               int corners, size_t points, paradt__memory *memory) {
+                                               int corners, size_t points, paradt__memory *memory,
+                                               paradt__meter *meter) {
     size_t all = count * (size_t)corners, i;
     paradt_status status;
     lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
     if (!lists->first) return PARADT_ERROR_MEMORY;
     memset(lists->first, 0, (points + 1) * sizeof *lists->first);
     for (i = 0; i < all; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
         if ((paradt__tag)cells[i] >= (paradt__tag)points) return PARADT_ERROR_INVALID;
         lists->first[cells[i] + 1]++;
     }
     status = paradt__relation_sum(lists, points, memory);
     if (status) return status;
-    for (i = 0; i < all; i++) lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    for (i = 0; i < all; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    }
     paradt__relation_rewind(lists, points);
     return PARADT_OK;
 }
@@ -23089,7 +23126,7 @@ static paradt_status paradt__adjacency_make(paradt__relation *lists, const parad
     memset(&neighbors, 0, sizeof neighbors);
     paradt__meter_begin(&meter, NULL);
     *count = t->point_count;
-    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory);
+    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory, NULL);
     if (what == PARADT_VERTEX_CELLS) {
         *lists = cells;
         return status;
@@ -23676,7 +23713,7 @@ static paradt_status paradt__locating_help(paradt__locating *work) {
     status = paradt__starts_make(&locator->starts, &points, set->space.ambient, &locator->memory, &work->meter);
     if (!status)
         status = paradt__relation_of_cells(&cells, mesh->vertices, work->t->cell_count, mesh->corners, set->count,
-                                           &locator->memory);
+                                           &locator->memory, &work->meter);
     if (!status)
         status = paradt__relation_of_neighbors(&locator->neighbors, &cells, mesh->vertices, mesh->corners, set->count,
                                                &locator->memory, &work->meter);
@@ -26468,6 +26505,7 @@ static paradt_status paradt__change_check_ids(paradt_dynamic *d, const paradt__c
     if (change->count && !change->ids) return paradt__change_fault(d, "ids is NULL");
     for (i = 0; i < change->count; i++) {
         paradt_index id = change->ids[i];
+        if (paradt__meter_stops(&d->meter, i)) return PARADT_ERROR_CANCELLED;
         if (id < 0 || (size_t)id >= d->now.ids || paradt__living_get(d, PARADT__POSITION, id) < 0)
             return paradt__change_fault(d, "an id is out of range or free");
     }
@@ -26500,6 +26538,7 @@ static paradt_status paradt__change_read(paradt_dynamic *d, paradt__change *chan
     source = paradt__source_of(change->points);
     for (i = 0; i < change->count; i++) {
         double *to = change->records + i * width;
+        if (paradt__meter_stops(&d->meter, i)) return PARADT_ERROR_CANCELLED;
         if (paradt__read_record(&source, i, record) == 2047) {
             d->error_point = i;
             return PARADT_ERROR_NOT_FINITE;
@@ -26536,7 +26575,7 @@ static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *c
     paradt__curve_begin(&curve, d->ambient, paradt__levels_for(SIZE_MAX, d->ambient), space->low, space->high,
                         change->count);
     paradt__curve_sort(&curve, change->records, (size_t)d->ambient + (size_t)d->weighted, change->order, other,
-                       change->count);
+                       change->count, NULL);
 }
 
 // Does a change, point by point.
@@ -26598,6 +26637,8 @@ static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *chang
     return status;
 }
 
+enum { PARADT__SMALL_CHANGE = 1 << 12 }; // so many points are read and sorted in a millisecond
+
 // Checks a change and does it.
 static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *change) {
     size_t width = (size_t)d->ambient + (size_t)d->weighted, count = change->count;
@@ -26606,7 +26647,9 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
     paradt_status status = PARADT_OK;
     d->error_point = 0;
     d->error_text = NULL;
+    paradt__meter_begin(&d->meter, &d->options);
     if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
+    if (status == PARADT_ERROR_CANCELLED) d->error_text = paradt_status_string(status);
     if (status) return status;
     change->number = (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
     change->order = (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
@@ -26619,8 +26662,10 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
     if (!status) {
         if (change->kind != PARADT__INSERTION && count)
             memcpy(change->number, change->ids, count * sizeof *change->number);
-        paradt__change_sort(d, change, other);
-        status = paradt__change_run(d, change);
+        if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status) paradt__change_sort(d, change, other);
+        if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status) status = paradt__change_run(d, change);
     }
     if (!status && change->new_ids && count) memcpy(change->new_ids, change->number, count * sizeof *change->number);
     paradt__release(memory, change->number);
@@ -26855,13 +26900,15 @@ PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const do
 // --- export
 
 // Fills the rows of cells. number: [places] the number of each cell
-static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out, const paradt_index *number) {
+static paradt_status paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out,
+                                          const paradt_index *number, paradt__meter *meter) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     const paradt_index *owner = d->column[PARADT__OWNER];
     size_t corners = (size_t)mesh->corners, i, j;
     for (i = 0; i < mesh->count; i++) {
         paradt_index *cell = out->cells + (size_t)number[i] * corners;
         paradt_index *links = out->neighbors + (size_t)number[i] * corners;
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
         if (number[i] < 0) continue;
         for (j = 0; j < corners; j++) {
             paradt_index other = number[paradt__mesh_cell(mesh, mesh->links[i * corners + j])];
@@ -26870,36 +26917,48 @@ static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *
             out->stats.hull_facets += other < 0;
         }
     }
+    return PARADT_OK;
 }
 
 PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = d->dim > 0 ? (size_t)mesh->corners : 1, places = d->dim > 0 ? mesh->count : 0, i;
     paradt__memory memory;
+    paradt__meter meter;
     paradt_index *number, count = 0;
+    paradt_status status = PARADT_OK;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
     out->dim = -1;
     paradt__memory_begin(&memory, &d->options);
+    paradt__meter_begin(&meter, &d->options);
     out->allocator = memory.allocator;
     number = (paradt_index *)paradt__alloc(&memory, places, sizeof *number);
     out->cells = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
     if (d->dim > 0)
         out->neighbors = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
     out->representative = (paradt_index *)paradt__alloc(&memory, d->now.ids, sizeof(paradt_index));
-    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) {
-        paradt__release(&memory, number);
-        paradt__withdraw(out, PARADT_ERROR_MEMORY, -1);
-        return PARADT_ERROR_MEMORY;
-    }
-    for (i = 0; i < places; i++)
+    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < places && !status; i++) {
+        if (paradt__meter_stops(&meter, i)) status = PARADT_ERROR_CANCELLED;
         number[i] = paradt__is_finite_cell(mesh->vertices + i * corners, mesh->corners) ? count++ : -1;
+    }
+    if (!status && d->dim > 0) status = paradt__export_cells(d, out, number, &meter);
+    else if (!status && d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
+    for (i = 0; i < d->now.ids && !status; i++) {
+        if (paradt__meter_stops(&meter, i)) status = PARADT_ERROR_CANCELLED;
+        out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
+    }
+    meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&meter)) status = PARADT_ERROR_CANCELLED;
+    if (status) {
+        paradt__release(&memory, number);
+        paradt__withdraw(out, status, -1);
+        return status;
+    }
     out->dim = d->dim;
     out->cell_count = d->now.cells;
-    if (d->dim > 0) paradt__export_cells(d, out, number);
-    else if (d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
     out->point_count = d->now.ids;
-    for (i = 0; i < d->now.ids; i++) out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
     out->stats.cells = out->cell_count;
     out->stats.hidden = d->now.hidden;
     out->stats.duplicates = d->now.points - d->now.vertices - d->now.hidden;
@@ -27178,6 +27237,7 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     paradt__keyed *keyed = (paradt__keyed *)paradt__alloc_filled(g->memory, 2 * n, sizeof *keyed);
     double *records = (double *)paradt__alloc_filled(g->memory, n + 1, width * sizeof *records);
     paradt__curve curve;
+    paradt_status status;
     set->origin = (paradt_index *)paradt__alloc_filled(g->memory, n, sizeof *set->origin);
     if (!keyed || !records || !set->origin) {
         paradt__release(g->memory, keyed);
@@ -27186,8 +27246,9 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     }
     for (i = 0; i < n; i++) keyed[i].item = (paradt_index)i;
     paradt__curve_begin(&curve, g->d, paradt__levels_for(n, g->d), set->space.low, set->space.high, n);
-    paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n);
-    for (i = 0; i < n; i++) {
+    status = paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n, g->meter);
+    for (i = 0; i < n && !status; i++) {
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         PARADT__FETCH(set->records, (size_t)keyed[i + 16 < n ? i + 16 : i].item * width);
         set->origin[i] = keyed[i].item;
         to[keyed[i].item] = (paradt_index)i;
@@ -27196,7 +27257,7 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     paradt__release(g->memory, set->records);
     paradt__release(g->memory, keyed);
     set->records = records;
-    return PARADT_OK;
+    return status;
 }
 
 // The least vertex of a cell
@@ -27208,20 +27269,25 @@ PARADT__INLINE paradt_index paradt__diagram_least(const paradt_index *vertices, 
 }
 
 // Finds where cells come, whose vertices are positions. to: [cells]; first: [set.count + 1] scratch
-PARADT__INLINE void paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh, paradt_index *to,
-                                               paradt_index *first, int corners) {
+PARADT__INLINE paradt_status paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh,
+                                                        paradt_index *to, paradt_index *first, int corners) {
     size_t cell, i;
     memset(first, 0, (g->set.count + 1) * sizeof *first);
-    for (cell = 0; cell < g->cells; cell++)
+    for (cell = 0; cell < g->cells; cell++) {
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners) + 1]++;
+    }
     for (i = 0; i < g->set.count; i++) first[i + 1] += first[i];
-    for (cell = 0; cell < g->cells; cell++)
+    for (cell = 0; cell < g->cells; cell++) {
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         to[cell] = first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners)]++;
+    }
+    return PARADT_OK;
 }
 
 // Fills the rows of cells in order. to: NULL: they stay where they are
-PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh, const paradt_index *to,
-                                         int corners) {
+PARADT__INLINE paradt_status paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh,
+                                                  const paradt_index *to, int corners) {
     enum { AHEAD = 8 };
     const size_t bytes = PARADT__ROW_BYTES(corners - 1);
     size_t cell;
@@ -27229,6 +27295,7 @@ PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt_
     for (cell = 0; cell < g->cells; cell++) {
         size_t base = cell * (size_t)corners;
         paradt_index *row = paradt__row_vertices(g, to ? (size_t)to[cell] : cell, bytes);
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         if (to && cell + 2 * AHEAD < g->cells) {
             for (j = 0; j < corners; j++) {
                 paradt_index link = mesh->links[base + (size_t)(2 * AHEAD * corners + j)] / corners;
@@ -27243,6 +27310,7 @@ PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt_
             else row[corners + j] = to ? to[other] * corners + (link - other * corners) : link;
         }
     }
+    return PARADT_OK;
 }
 
 // Makes the rows of a triangulation that is as wide as space: sorts points and cells, and marks the points of the hull.
@@ -27256,14 +27324,18 @@ PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const
         to = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *to);
         status = scratch && to ? paradt__diagram_sort_points(g, scratch) : PARADT_ERROR_MEMORY;
         for (i = 0; i < mesh->count * corners && !status; i++) {
-            if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
+            if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
+            else if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
         }
-        if (!status && corners == 4) paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
-        else if (!status) paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
+        if (!status && corners == 4) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
+        else if (!status) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
     }
-    if (!status && corners == 4) paradt__diagram_fill(g, mesh, to, 4);
-    else if (!status) paradt__diagram_fill(g, mesh, to, 3);
-    for (i = 0; i < g->cells * corners && !status; i++) g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    if (!status && corners == 4) status = paradt__diagram_fill(g, mesh, to, 4);
+    else if (!status) status = paradt__diagram_fill(g, mesh, to, 3);
+    for (i = 0; i < g->cells * corners && !status; i++) {
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
+        g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    }
     for (; i < mesh->count * corners && !status; i++) { // ghosts
         if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
     }
@@ -27274,13 +27346,18 @@ PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const
 
 // Makes the rows, and finds which points are vertices. kind has been cleared.
 static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh *mesh) {
-    enum { LINE = 64 }; // bytes
+    enum { LINE = 64, PACE = 1 << 16 }; // bytes; cells whose pages are made at once
     size_t corners = (size_t)mesh->corners, cell, j;
     g->centred = g->k == g->d && g->d <= 3;
     g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : corners * sizeof(paradt_index);
     if (g->cells > (SIZE_MAX / 2 - LINE) / g->row_bytes) return PARADT_ERROR_MEMORY;
-    g->rows_block = (char *)paradt__alloc_filled(g->memory, g->cells * g->row_bytes + LINE, 1);
+    g->rows_block = (char *)paradt__alloc(g->memory, g->cells * g->row_bytes + LINE, 1);
     if (!g->rows_block) return PARADT_ERROR_MEMORY;
+    for (cell = 0; cell < g->cells; cell += PACE) {
+        size_t end = g->cells - cell > PACE ? cell + PACE : g->cells;
+        if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
+        paradt__make_pages(g->rows_block, cell * g->row_bytes, end * g->row_bytes);
+    }
     g->rows = g->rows_block + (LINE - (uintptr_t)g->rows_block % LINE) % LINE;
     if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
     if (g->centred) return paradt__diagram_rows_centred(g, mesh);
@@ -29442,11 +29519,12 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
     for (i = 0; i < g->cells && !status; i++) {
         const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
         int any = 0;
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         for (j = 0; j < corners; j++) {
             paradt_index of = slot[row[j]];
             if (of >= 0) clipping->first[of + 1]++, any = 1;
         }
-        if (any) status = paradt__list_append(&cells, (paradt_index)i, g->memory);
+        if (any && !status) status = paradt__list_append(&cells, (paradt_index)i, g->memory);
     }
     for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
     if (!status) {
@@ -29456,6 +29534,7 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
     }
     for (i = 0; i < cells.count && !status; i++) {
         const paradt_index *row = paradt__row_vertices(g, (size_t)cells.items[i], g->row_bytes);
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         for (j = 0; j < corners; j++) {
             paradt_index of = slot[row[j]];
             if (of >= 0) clipping->around[clipping->first[of]++] = cells.items[i];
@@ -29790,6 +29869,7 @@ PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, para
     if (status) return status;
     for (i = 0; i < n; i++) out->unbounded[paradt__voronoi_index(g, i)] = work->unbounded[i];
     for (i = 0; i < n && work->tally.sums; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
         const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
         size_t to = paradt__voronoi_index(g, i);
         int infinite = work->unbounded[i];
@@ -29822,16 +29902,20 @@ PARADT__HOT paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, 
     next = (size_t *)paradt__voronoi_array(work, n, sizeof *next, &status); // by position
     if (!status) {
         memset(next, 0, n * sizeof *next);
-        for (i = 0; i < 2 * out->face_count; i++)
+        for (i = 0; i < 2 * out->face_count && !status; i++) {
+            if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
             if (out->sides[i] >= 0) next[out->sides[i]]++;
+        }
         out->first_face[0] = 0;
         for (i = 0; i < n; i++) out->first_face[paradt__voronoi_index(g, i) + 1] = next[i];
         for (i = 0; i < n; i++) out->first_face[i + 1] += out->first_face[i];
         for (i = 0; i < n; i++) next[i] = out->first_face[paradt__voronoi_index(g, i)];
         out->faces = (paradt_index *)paradt__voronoi_array(work, out->first_face[n], sizeof *out->faces, &status);
     }
-    for (i = 0; i < 2 * out->face_count && !status; i++)
+    for (i = 0; i < 2 * out->face_count && !status; i++) {
+        if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
         if (out->sides[i] >= 0) out->faces[next[out->sides[i]]++] = (paradt_index)(i / 2);
+    }
     paradt__release(&work->memory, next);
     return status;
 }
@@ -29850,8 +29934,10 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     list->sides = NULL;
     list->areas = list->centroids = list->normals = NULL;
     status = paradt__voronoi_incidence(work, out);
-    for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
+    for (i = 0; i < 2 * out->face_count && g->set.origin && !status; i++) {
+        if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
         if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
+    }
     for (i = 0; i < out->face_count && out->areas && g->shift; i++)
         out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
     for (i = 0; i < out->face_count && out->normals && (g->shift || g->k < g->d); i++) {
@@ -29917,7 +30003,10 @@ PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__
     n->same = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->same);
     n->number = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->number);
     if (!n->same || !n->number) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < g->cells; i++) n->same[i] = (paradt_index)i, n->number[i] = -1;
+    for (i = 0; i < g->cells; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
+        n->same[i] = (paradt_index)i, n->number[i] = -1;
+    }
     for (i = 0; i < g->cells * corners; i++) {
         paradt_index cell = (paradt_index)(i / corners), a, b;
         paradt_index link = paradt__row_vertices(g, i / corners, g->row_bytes)[corners + i % corners];
@@ -29932,7 +30021,10 @@ PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__
         if (a < b) n->same[b] = a;
         else n->same[a] = b;
     }
-    for (i = 0; i < g->cells; i++) n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    for (i = 0; i < g->cells; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
+        n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    }
     return PARADT_OK;
 }
 
@@ -30040,6 +30132,7 @@ static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__vo
     out->vertices = (double *)paradt__voronoi_array(work, n->of.count * d, sizeof(double), &status);
     if (status) return status;
     for (i = 0; i < n->of.count; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
         paradt_index of = n->of.items[i];
         const double *x = of >= 0 ? paradt__centre_of(g, of, g->d) : work->corners.places + (size_t)(-2 - of) * d;
         for (j = 0; j < d; j++) {
@@ -30058,6 +30151,7 @@ PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, p
     memset(&n, 0, sizeof n);
     status = paradt__numbering_cells(&n, work);
     if (!status) status = paradt__numbering_places(&n, work);
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     out->first_vertex = (size_t *)paradt__voronoi_array(work, work->list.count + 1, sizeof(size_t), &status);
     if (!status) out->first_vertex[0] = 0;
     for (i = 0; i < work->list.count && !status; i++) {
@@ -30103,6 +30197,7 @@ PARADT__HOT paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const 
         team = paradt__voronoi_team(work, PARADT__VORONOI_FACES);
         if (!status)
             status = paradt__faces_make(g, &team, work->wants, &work->tally, work->wants & faces ? &work->list : NULL);
+        if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     }
     if (!status) status = paradt__voronoi_clip(work);
     if (!status) status = paradt__voronoi_cells(work, out);
@@ -30249,6 +30344,7 @@ PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const parad
 // paradt__check_is_odd.
 
 enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
+enum { PARADT__CHECK_LOOK = 1 << 17 }; // ... and of a plain loop
 
 // The phases of the check in their order: name, part of the work that is done when the phase begins
 #define PARADT__CHECK_PHASES(X)                                                                                        \
@@ -30854,18 +30950,24 @@ static size_t paradt__check_list(const paradt__check *check, paradt__check_key *
 }
 
 // Sorts by key, in passes by one digit from the lowest. The number of passes is even, so the result is in `keys` again.
-static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other, size_t count) {
+static paradt_status paradt__check_sort(const paradt__check *check, paradt__check_key *keys, paradt__check_key *other,
+                                        size_t count) {
     int digit;
     for (digit = 0; digit < PARADT__CHECK_DIGITS; digit++) {
         size_t starts[(1 << PARADT__CHECK_DIGIT) + 1] = {0}, i, mask = (1 << PARADT__CHECK_DIGIT) - 1;
         int shift = digit * PARADT__CHECK_DIGIT;
         paradt__check_key *swap = keys;
+        if (paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
         for (i = 0; i < count; i++) starts[(keys[i].key >> shift & mask) + 1]++;
         for (i = 0; i < mask; i++) starts[i + 1] += starts[i];
-        for (i = 0; i < count; i++) other[starts[keys[i].key >> shift & mask]++] = keys[i];
+        for (i = 0; i < count; i++) {
+            if (i % PARADT__CHECK_LOOK == 0 && paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
+            other[starts[keys[i].key >> shift & mask]++] = keys[i];
+        }
         keys = other;
         other = swap;
     }
+    return PARADT_OK;
 }
 
 // Condition (8) for one point: walks from *cell, across facets that have the point beyond them, to a cell that contains
@@ -30898,7 +31000,7 @@ static paradt_status paradt__check_hidden(paradt__check *check) {
     keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
     if (!keys) return PARADT_ERROR_MEMORY;
     n = paradt__check_list(check, keys);
-    paradt__check_sort(keys, keys + n, n);
+    status = paradt__check_sort(check, keys, keys + n, n);
     for (i = 0; i < n && !status; i++) {
         paradt_index point = keys[i].point;
         status = paradt__check_pace(check, i, n);
@@ -31144,7 +31246,7 @@ static paradt_status paradt__proof_points(paradt__check *check) {
     keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
     if (!keys) return PARADT_ERROR_MEMORY;
     n = paradt__check_list(check, keys);
-    paradt__check_sort(keys, keys + n, n);
+    status = paradt__check_sort(check, keys, keys + n, n);
     for (i = 0; i < n && !status; i++) {
         status = paradt__check_pace(check, i, n);
         if (check->cell_of[keys[i].point] >= 0) facet = check->cell_of[keys[i].point];
@@ -31163,6 +31265,7 @@ static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
     paradt__list stack = {NULL, 0, 0};
     paradt_status status = PARADT_OK;
     for (i = 0; i < check->set.count; i++) vertices += check->cell_of[i] >= 0;
+    if (paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
     if (hull->vertex_count != vertices || hull->extreme_count > vertices)
         return paradt__check_fail(check, "vertex_count is not the number of vertices", -1, -1);
     for (i = 0; i < vertices; i++) {
@@ -31175,7 +31278,8 @@ static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
     if (!flood) return PARADT_ERROR_MEMORY;
     for (i = 0; i < count; i++) flood[i] = -1;
     for (i = 0; i < count && !status; i++) { // each number names one set of facets that flat ridges connect
-        if (flood[i] >= 0) continue;
+        status = paradt__check_pace(check, i, count);
+        if (flood[i] >= 0 || status) continue;
         if (hull->plane[i] < 0 || (size_t)hull->plane[i] >= hull->plane_count || planes++ == hull->plane_count)
             status = paradt__check_fail(check, "the number of a plane is out of range", (paradt_index)i, -1);
         flood[i] = 0;
