@@ -1295,7 +1295,7 @@ PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const do
 
 // Copies the triangulation: cells in ids, numbered from 0 without gaps; representative[id] is -2 for a free id. The
 // arrays come from the set's allocator; paradt_free frees them. neighbors are cells.
-// Errors: MEMORY. Thread-safe on a set that does not change. Cost: linear time.
+// Errors: MEMORY, CANCELLED. Thread-safe on a set that does not change. Cost: linear time.
 PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out);
 #endif
 
@@ -1544,7 +1544,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   ground
 //     memory                       189   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        190   progress, teams, pauses, the clock
+//     tasks                        196   progress, teams, pauses, the clock
 //   predicates
 //     space                        294   what the predicates know of a set
 //     filters                      222   signs in floating point, with error bounds
@@ -1552,14 +1552,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     exact                        622   signs in integers
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        325   Hilbert's curve, sorting along it
+//     curve                        330   Hilbert's curve, sorting along it
 //     points                       164   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
 //     sorting                      471   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
-//     reference sphere             203   sagittas near a sphere
+//     reference sphere             204   sagittas near a sphere
 //   mesh
 //     mesh                         700   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
@@ -1577,13 +1577,13 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    296   dig and star, in any dimension
-//     kept spheres                 671   conflict tests by one product, in two and three dimensions
-//     digging by spheres           298   locate and dig with kept spheres
+//     insertion                    298   dig and star, in any dimension
+//     kept spheres                 672   conflict tests by one product, in two and three dimensions
+//     digging by spheres           301   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           294   dig and star with kept spheres
+//     stars in the plane           295   dig and star with kept spheres
 //     insertion by spheres         214   locate, dig and star, all together
-//     insertion in space by AVX2   505   its inner functions for four lanes
+//     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            120   the same for the plane
 //     inserting                    239   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
@@ -1599,7 +1599,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     insertion by flips           381   search, split, collect, flip
 //     Delaunay tree                306   location by the cells that there were
 //   division
-//     regions of fronts            125   owners, joining
+//     regions of fronts            127   owners, joining
 //     fringe                       106   cells that are not a region's own alone
 //     fields and patches           344   a region's points, its insertion
 //     questions between regions    373   is a cell one of T(P)?
@@ -1614,11 +1614,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     methods                      330   one row a method; AUTO's choice
 //     triangulate                  390   the entry
 //   use
-//     minors                        67   determinants with bounds, in floating point
-//     hull points                  470   those that a hull has to look at
-//     hull faces                   371   planes, extreme points, measures
-//     hull                         295   the entry
-//     given triangulation          198   the caller's cells and points as a mesh and a set
+//     minors                        93   determinants with bounds, in floating point
+//     hull points                  474   those that a hull has to look at
+//     hull faces                   374   planes, extreme points, measures
+//     hull                         304   the entry
+//     given triangulation          206   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
@@ -1628,7 +1628,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     starting cells               285   a vertex near any place
 //     distances                    162   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
-//     adjacency                    189   a vertex to its cells and its neighbours, edges
+//     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
 //     locator                      644   the entry of queries
@@ -1636,23 +1636,23 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     filling holes                466   what fills it
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        435   columns, hidden and coincident points
-//     journal of a living set      315   how changes are noted and undone
-//     changes of a living set      456   one point comes, goes or moves
-//     making a living set          259   the set anew
-//     living set                   685   the entry
+//     journal of a living set      337   how changes are noted and undone
+//     changes of a living set      458   one point comes, goes or moves
+//     making a living set          260   the set anew
+//     living set                   707   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
-//     diagram order                134   points and cells in the order of space
+//     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             158   centres of cells, and their errors
-//     Voronoi faces                488   faces and volumes that nothing clips
+//     Voronoi faces                490   faces and volumes that nothing clips
 //     planes of a cell             329   where planes meet, in integers
 //     clipped cell                 552   a cell as planes and vertices, in any dimension
-//     measures of a clipped cell   257   volumes, areas, centroids
-//     clipping                     481   all cells that walls or infinity clip
-//     Voronoi                      636   the entry
+//     measures of a clipped cell   261   volumes, areas, centroids
+//     clipping                     482   all cells that walls or infinity clip
+//     Voronoi                      652   the entry
 //   check
-//     check                        501   the certificate
-//     check of the hull            287   ... and of hidden points
-//     check of a hull              331   that of a hull alone
+//     check                        502   the certificate
+//     check of the hull            293   ... and of hidden points
+//     check of a hull              333   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -2209,9 +2209,9 @@ static double paradt__widen(uint32_t bits) {
 //
 // What runs on several threads: progress and cancelling, teams of tasks, giving up, and pauses of insertions that work
 // together; and the clock. Doors: paradt__progress_cancels, paradt__progress_of, paradt__meter_begin,
-// paradt__meter_done, paradt__meter_cancels, paradt__progress_of_task, paradt__team_of, paradt__few_of,
-// paradt__team_run, paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP, paradt__relay_pauses,
-// paradt__relay_waits, paradt__now.
+// paradt__meter_done, paradt__meter_cancels, paradt__meter_stops, paradt__progress_of_task, paradt__team_of,
+// paradt__few_of, paradt__team_run, paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP,
+// paradt__relay_pauses, paradt__relay_waits, paradt__now.
 
 // --- progress
 //
@@ -2259,6 +2259,12 @@ static int paradt__meter_cancels(paradt__meter *meter) {
         PARADT__ATOMIC_UNLOCK(&meter->calling);
     }
     return PARADT__ATOMIC_LOAD(&meter->cancelled);
+}
+
+// Asks once in so many steps of a plain loop, which are a few milliseconds. meter: NULL: nobody asks
+PARADT__INLINE int paradt__meter_stops(paradt__meter *meter, size_t step) {
+    enum { PACE = 1 << 17 };
+    return step % PACE == PACE - 1 && meter && paradt__meter_cancels(meter);
 }
 
 // A share of the work. *reported, 0 at first, is the caller's to keep for as long as somebody works on the share.
@@ -4227,12 +4233,17 @@ static uint64_t paradt__curve_key(const paradt__curve *curve, const double *poin
 }
 
 // Sorts records along the curve. On entry keyed[i].item are the positions of the records; the keys are made here.
-// other: scratch for as many.
-static void paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width, paradt__keyed *keyed,
-                               paradt__keyed *other, size_t count) {
+// other: scratch for as many. meter: NULL, or asked now and then
+static paradt_status paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width,
+                                        paradt__keyed *keyed, paradt__keyed *other, size_t count,
+                                        paradt__meter *meter) {
     size_t i;
-    for (i = 0; i < count; i++) keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    for (i = 0; i < count; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    }
     paradt__keyed_sort(keyed, other, count, curve->lattice.dim * curve->lattice.levels, 0);
+    return meter && paradt__meter_cancels(meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5139,7 +5150,7 @@ PARADT__HOT void paradt__sort_few(const paradt__loader *loader, size_t few, int 
     PARADT_ASSERT(2 * few <= loader->source->points.count);
     paradt__curve_begin(&curve, space->ambient, levels, space->low, space->high, few);
     for (i = 0; i < few; i++) loader->keyed[i].item = (paradt_index)((double)loader->sampled / (double)few * (double)i);
-    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few);
+    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few, NULL);
 }
 
 // Estimates the spacing of the set (see paradt__spacing) by that of few points: one in 2^(k dim) points is 2^k times as
@@ -9706,7 +9717,7 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
     enum { FEW = 16 }; // own points from one comparison of keys to the next
     size_t others = set->count - own, i, few, end, next = 0;
     for (i = 0; i < others; i++) sorted[i].item = (paradt_index)(own + i);
-    paradt__curve_sort(curve, set->records, set->width, sorted, other, others);
+    paradt__curve_sort(curve, set->records, set->width, sorted, other, others, NULL);
     for (i = 0; i < own; i += FEW) {
         uint64_t key = paradt__curve_key(curve, set->records + i * set->width);
         while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].item);
@@ -9745,7 +9756,7 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
         paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
                             set->count);
         for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
-        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count, NULL);
         for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
     } else {
         paradt__release(memory, order);
@@ -15553,6 +15564,7 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
     paradt_index open[PARADT__JOINED];
     paradt_status status = paradt__facets_begin(&table, 0, 0, memory);
     for (i = 0; i < facets && !status; i++) {
+        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (all->links[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
         if (count < PARADT__JOINED && i + 1 < facets) continue;
         status = paradt__facets_join(&table, all, open, count, 0, memory);
@@ -15560,7 +15572,8 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
         if (!status && i % PARADT__PACE < PARADT__JOINED && paradt__meter_cancels(meter))
             status = PARADT_ERROR_CANCELLED;
     }
-    for (i = 0; i < facets; i++) {
+    for (i = 0; i < facets && !status; i++) {
+        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (all->links[i] == PARADT__OPEN) all->links[i] = PARADT__HULL;
         *hull_facets += all->links[i] == PARADT__HULL;
     }
@@ -19928,7 +19941,9 @@ PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces) {
     faces->plane_count = faces->general ? mesh->count : 0;
     for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = faces->general ? (paradt_index)facet : -1;
     for (facet = 0; facet < mesh->count && !faces->general && !status; facet++) {
-        if (faces->plane[facet] >= 0) continue;
+        if (facet % PARADT__HULL_PACE == 0 && paradt__team_cancels(faces->team, 0, 1.0))
+            status = PARADT_ERROR_CANCELLED;
+        if (faces->plane[facet] >= 0 || status) continue;
         faces->plane[facet] = (paradt_index)faces->plane_count;
         status = paradt__list_append(&stack, (paradt_index)facet, faces->memory);
         while (stack.count && !status) {
@@ -20045,6 +20060,7 @@ PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__me
     for (facet = 0; facet < mesh->count && !faces->general; facet++) {
         const paradt_index *vertices = mesh->vertices + facet * (size_t)mesh->corners;
         unsigned flat = 0;
+        if (paradt__meter_stops(meter, facet)) return PARADT_ERROR_CANCELLED;
         for (i = 0; i < mesh->corners; i++)
             flat |= (unsigned)paradt__hull_is_flat(faces, (paradt_index)(facet * (size_t)mesh->corners) + i) << i;
         for (i = 0; i < mesh->corners; i++)
@@ -20183,6 +20199,7 @@ static paradt_status paradt__hull_load(paradt__hull_work *work, const paradt_poi
 PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsigned char *kind, paradt_hull *hull) {
     const unsigned char extreme = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
     size_t i, pass, listed = 0;
+    paradt_status status = PARADT_OK;
     unsigned char *sorted = (unsigned char *)paradt__alloc(&work->memory, work->kept_count, 1); // kinds by index
     for (i = 0; i < work->set.count; i++) {
         hull->vertex_count += kind[i] != 0;
@@ -20195,14 +20212,15 @@ PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsig
     }
     memset(sorted, 0, work->kept_count);
     for (i = 0; i < work->set.count; i++) sorted[work->set.origin[i]] = kind[i];
-    for (pass = 0; pass < 2; pass++) {
-        for (i = 0; i < work->kept_count; i++) {
+    for (pass = 0; pass < 2 && !status; pass++) {
+        for (i = 0; i < work->kept_count && !status; i++) {
+            if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
             if (sorted[i] && (sorted[i] == extreme) == !pass)
                 hull->vertices[listed++] = work->kept ? work->kept[i] : (paradt_index)i;
         }
     }
     paradt__release(&work->memory, sorted);
-    return PARADT_OK;
+    return status;
 }
 
 // Returns the exponent by which the set's coordinates are smaller than the caller's: see paradt__set_scale.
@@ -20262,15 +20280,20 @@ PARADT__INLINE void paradt__hull_emit(const paradt__hull_work *work, size_t i, s
 PARADT__HOT void paradt__hull_rows_task(void *context, size_t task) {
     const paradt__hull_rows *rows = (const paradt__hull_rows *)context;
     const paradt__mesh *mesh = &rows->work->mesh;
-    size_t i, end = paradt__loader_range(rows->team, mesh->count * (size_t)mesh->corners, task, &i);
-    if (mesh->corners == 3) paradt__hull_emit(rows->work, i, end, rows->neighbors, 3);
-    else if (mesh->corners == 4) paradt__hull_emit(rows->work, i, end, rows->neighbors, 4);
-    else if (mesh->corners == 5) paradt__hull_emit(rows->work, i, end, rows->neighbors, 5);
-    else paradt__hull_emit(rows->work, i, end, rows->neighbors, (paradt__tag)mesh->corners);
+    const size_t pace = (size_t)PARADT__HULL_PACE * (size_t)mesh->corners;
+    size_t i, next, end = paradt__loader_range(rows->team, mesh->count * (size_t)mesh->corners, task, &i);
+    for (; i < end; i = next) {
+        next = end - i < pace ? end : i + pace;
+        if (paradt__team_cancels(rows->team, task, 1.0)) return;
+        if (mesh->corners == 3) paradt__hull_emit(rows->work, i, next, rows->neighbors, 3);
+        else if (mesh->corners == 4) paradt__hull_emit(rows->work, i, next, rows->neighbors, 4);
+        else if (mesh->corners == 5) paradt__hull_emit(rows->work, i, next, rows->neighbors, 5);
+        else paradt__hull_emit(rows->work, i, next, rows->neighbors, (paradt__tag)mesh->corners);
+    }
 }
 
 // Hands the facets over: vertices become the caller's indices, links what the flags ask for.
-static void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
+static paradt_status paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
     paradt__mesh *mesh = &work->mesh;
     paradt__team team = paradt__hull_team(work, PARADT__HULL_ENDS);
     paradt__hull_rows rows;
@@ -20278,6 +20301,7 @@ static void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
     rows.team = &team;
     rows.neighbors = !(work->options.flags & (PARADT_NO_NEIGHBORS | PARADT_FACETS));
     paradt__team_run(&team, paradt__hull_rows_task, &rows);
+    if (paradt__team_cancelled(&team)) return PARADT_ERROR_CANCELLED;
     if (work->options.flags & PARADT_NO_NEIGHBORS) {
         paradt__release(&work->memory, mesh->links);
         mesh->links = NULL;
@@ -20286,6 +20310,7 @@ static void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
     hull->facets = mesh->vertices;
     hull->neighbors = mesh->links;
     mesh->vertices = mesh->links = NULL;
+    return PARADT_OK;
 }
 
 // Builds the hull of the set and finds what its facets are together.
@@ -20299,7 +20324,7 @@ static paradt_status paradt__hull_build(paradt__hull_work *work, paradt_hull *hu
     status = paradt__hull_mesh(&work->set, &team, &work->memory, &work->mesh, &counters);
     paradt__count_predicates(&work->stats, &counters);
     if (!status) status = paradt__hull_describe(work, hull);
-    if (!status) paradt__hull_deliver(work, hull);
+    if (!status) status = paradt__hull_deliver(work, hull);
     return status;
 }
 
@@ -20551,18 +20576,26 @@ PARADT__INLINE paradt_status paradt__given_link_all(const paradt__mesh *mesh, si
 // cells and neighbours. facets: these are half-facets. After an error the caller frees the mesh.
 PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const paradt_triangulation *t, int facets,
                                                   paradt__memory *memory, paradt__meter *meter) {
+    enum { PACE = 1 << 16 }; // cells between two looks at whether the call is cancelled
     size_t corners = (size_t)(t->dim + 1), count = t->cell_count, hull = 0, i;
     paradt_status status;
     PARADT_ASSERT(t->dim >= 1 && t->cells && t->neighbors);
     paradt__mesh_begin(mesh, t->dim + 1, 0);
     if (count > paradt__most_cells(mesh->corners)) return PARADT_ERROR_INVALID;
-    for (i = 0; i < count * corners; i++) hull += t->neighbors[i] < 0;
+    for (i = 0; i < count * corners; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        hull += t->neighbors[i] < 0;
+    }
     status = paradt__mesh_reserve(mesh, count + hull, count + hull, memory);
     if (status) return status;
-    mesh->count = count;
-    paradt__mesh_make_pages(mesh, count + hull);
-    memcpy(mesh->vertices, t->cells, count * corners * sizeof *t->cells);
-    memcpy(mesh->links, t->neighbors, count * corners * sizeof *t->neighbors);
+    for (i = 0; i < count; i += PACE) { // rows are copied when their pages have been made
+        size_t end = count - i > PACE ? i + PACE : count, bytes = (end - i) * corners * sizeof *t->cells;
+        if (paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        mesh->count = end;
+        paradt__mesh_make_pages(mesh, end < count ? end : count + hull);
+        memcpy(mesh->vertices + i * corners, t->cells + i * corners, bytes);
+        memcpy(mesh->links + i * corners, t->neighbors + i * corners, bytes);
+    }
     status = corners == 4 ? paradt__given_link_all(mesh, t->point_count, facets, meter, 4)
                           : paradt__given_link_all(mesh, t->point_count, facets, meter, mesh->corners);
     return status ? status : paradt__given_ghosts(mesh, memory);
@@ -23361,21 +23394,27 @@ static void paradt__relation_rewind(paradt__relation *lists, size_t points) {
     lists->first[0] = 0;
 }
 
-// Lists the cells of each point, ascending. INVALID: a vertex is no point. After an error the caller frees the lists.
+// Lists the cells of each point, ascending. INVALID: a vertex is no point. meter: NULL, or asked now and then. After an
+// error the caller frees the lists.
 static paradt_status paradt__relation_of_cells(paradt__relation *lists, const paradt_index *cells, size_t count,
-                                               int corners, size_t points, paradt__memory *memory) {
+                                               int corners, size_t points, paradt__memory *memory,
+                                               paradt__meter *meter) {
     size_t all = count * (size_t)corners, i;
     paradt_status status;
     lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
     if (!lists->first) return PARADT_ERROR_MEMORY;
     memset(lists->first, 0, (points + 1) * sizeof *lists->first);
     for (i = 0; i < all; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
         if ((paradt__tag)cells[i] >= (paradt__tag)points) return PARADT_ERROR_INVALID;
         lists->first[cells[i] + 1]++;
     }
     status = paradt__relation_sum(lists, points, memory);
     if (status) return status;
-    for (i = 0; i < all; i++) lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    for (i = 0; i < all; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    }
     paradt__relation_rewind(lists, points);
     return PARADT_OK;
 }
@@ -23464,7 +23503,7 @@ static paradt_status paradt__adjacency_make(paradt__relation *lists, const parad
     memset(&neighbors, 0, sizeof neighbors);
     paradt__meter_begin(&meter, NULL);
     *count = t->point_count;
-    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory);
+    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory, NULL);
     if (what == PARADT_VERTEX_CELLS) {
         *lists = cells;
         return status;
@@ -24051,7 +24090,7 @@ static paradt_status paradt__locating_help(paradt__locating *work) {
     status = paradt__starts_make(&locator->starts, &points, set->space.ambient, &locator->memory, &work->meter);
     if (!status)
         status = paradt__relation_of_cells(&cells, mesh->vertices, work->t->cell_count, mesh->corners, set->count,
-                                           &locator->memory);
+                                           &locator->memory, &work->meter);
     if (!status)
         status = paradt__relation_of_neighbors(&locator->neighbors, &cells, mesh->vertices, mesh->corners, set->count,
                                                &locator->memory, &work->meter);
@@ -27337,6 +27376,7 @@ static paradt_status paradt__change_check_ids(paradt_dynamic *d, const paradt__c
     if (change->count && !change->ids) return paradt__change_fault(d, "ids is NULL");
     for (i = 0; i < change->count; i++) {
         paradt_index id = change->ids[i];
+        if (paradt__meter_stops(&d->meter, i)) return PARADT_ERROR_CANCELLED;
         if (id < 0 || (size_t)id >= d->now.ids || paradt__living_get(d, PARADT__POSITION, id) < 0)
             return paradt__change_fault(d, "an id is out of range or free");
     }
@@ -27369,6 +27409,7 @@ static paradt_status paradt__change_read(paradt_dynamic *d, paradt__change *chan
     source = paradt__source_of(change->points);
     for (i = 0; i < change->count; i++) {
         double *to = change->records + i * width;
+        if (paradt__meter_stops(&d->meter, i)) return PARADT_ERROR_CANCELLED;
         if (paradt__read_record(&source, i, record) == 2047) {
             d->error_point = i;
             return PARADT_ERROR_NOT_FINITE;
@@ -27405,7 +27446,7 @@ static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *c
     paradt__curve_begin(&curve, d->ambient, paradt__levels_for(SIZE_MAX, d->ambient), space->low, space->high,
                         change->count);
     paradt__curve_sort(&curve, change->records, (size_t)d->ambient + (size_t)d->weighted, change->order, other,
-                       change->count);
+                       change->count, NULL);
 }
 
 // Prefetches what removals soon after the i-th one begin with: first a cell of the vertex, then its row.
@@ -27482,6 +27523,8 @@ static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *chang
     return status;
 }
 
+enum { PARADT__SMALL_CHANGE = 1 << 12 }; // so many points are read and sorted in a millisecond
+
 // Checks a change and does it.
 static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *change) {
     size_t width = (size_t)d->ambient + (size_t)d->weighted, count = change->count;
@@ -27493,10 +27536,12 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
     const int one = count == 1; // takes no memory here
     d->error_point = 0;
     d->error_text = NULL;
+    paradt__meter_begin(&d->meter, &d->options);
     if (change->kind != PARADT__INSERTION && d->past.method != PARADT_AUTO)
         return paradt__change_fault(d,
                                     "a set with options.method PARADT_FLIP or PARADT_DELAUNAY_TREE has insertion only");
     if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
+    if (status == PARADT_ERROR_CANCELLED) d->error_text = paradt_status_string(status);
     if (status) return status;
     change->number = one ? &number : (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
     change->order = one ? keys : (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
@@ -27509,8 +27554,10 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
     if (!status) {
         if (change->kind != PARADT__INSERTION && count)
             memcpy(change->number, change->ids, count * sizeof *change->number);
-        paradt__change_sort(d, change, other);
-        status = paradt__change_run(d, change);
+        if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status) paradt__change_sort(d, change, other);
+        if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status) status = paradt__change_run(d, change);
     }
     if (!status && change->new_ids && count) memcpy(change->new_ids, change->number, count * sizeof *change->number);
     if (!one) {
@@ -27773,13 +27820,15 @@ PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const do
 // --- export
 
 // Fills the rows of cells. number: [places] the number of each cell
-static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out, const paradt_index *number) {
+static paradt_status paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out,
+                                          const paradt_index *number, paradt__meter *meter) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     const paradt_index *owner = d->column[PARADT__OWNER];
     size_t corners = (size_t)mesh->corners, i, j;
     for (i = 0; i < mesh->count; i++) {
         paradt_index *cell = out->cells + (size_t)number[i] * corners;
         paradt_index *links = out->neighbors + (size_t)number[i] * corners;
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
         if (number[i] < 0) continue;
         for (j = 0; j < corners; j++) {
             paradt_index other = number[paradt__mesh_cell(mesh, mesh->links[i * corners + j])];
@@ -27788,36 +27837,48 @@ static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *
             out->stats.hull_facets += other < 0;
         }
     }
+    return PARADT_OK;
 }
 
 PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = d->dim > 0 ? (size_t)mesh->corners : 1, places = d->dim > 0 ? mesh->count : 0, i;
     paradt__memory memory;
+    paradt__meter meter;
     paradt_index *number, count = 0;
+    paradt_status status = PARADT_OK;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
     out->dim = -1;
     paradt__memory_begin(&memory, &d->options);
+    paradt__meter_begin(&meter, &d->options);
     out->allocator = memory.allocator;
     number = (paradt_index *)paradt__alloc(&memory, places, sizeof *number);
     out->cells = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
     if (d->dim > 0)
         out->neighbors = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
     out->representative = (paradt_index *)paradt__alloc(&memory, d->now.ids, sizeof(paradt_index));
-    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) {
-        paradt__release(&memory, number);
-        paradt__withdraw(out, PARADT_ERROR_MEMORY, -1);
-        return PARADT_ERROR_MEMORY;
-    }
-    for (i = 0; i < places; i++)
+    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < places && !status; i++) {
+        if (paradt__meter_stops(&meter, i)) status = PARADT_ERROR_CANCELLED;
         number[i] = paradt__is_finite_cell(mesh->vertices + i * corners, mesh->corners) ? count++ : -1;
+    }
+    if (!status && d->dim > 0) status = paradt__export_cells(d, out, number, &meter);
+    else if (!status && d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
+    for (i = 0; i < d->now.ids && !status; i++) {
+        if (paradt__meter_stops(&meter, i)) status = PARADT_ERROR_CANCELLED;
+        out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
+    }
+    meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&meter)) status = PARADT_ERROR_CANCELLED;
+    if (status) {
+        paradt__release(&memory, number);
+        paradt__withdraw(out, status, -1);
+        return status;
+    }
     out->dim = d->dim;
     out->cell_count = d->now.cells;
-    if (d->dim > 0) paradt__export_cells(d, out, number);
-    else if (d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
     out->point_count = d->now.ids;
-    for (i = 0; i < d->now.ids; i++) out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
     out->stats.cells = out->cell_count;
     out->stats.hidden = d->now.hidden;
     out->stats.duplicates = d->now.points - d->now.vertices - d->now.hidden;
@@ -28096,6 +28157,7 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     paradt__keyed *keyed = (paradt__keyed *)paradt__alloc_filled(g->memory, 2 * n, sizeof *keyed);
     double *records = (double *)paradt__alloc_filled(g->memory, n + 1, width * sizeof *records);
     paradt__curve curve;
+    paradt_status status;
     set->origin = (paradt_index *)paradt__alloc_filled(g->memory, n, sizeof *set->origin);
     if (!keyed || !records || !set->origin) {
         paradt__release(g->memory, keyed);
@@ -28104,8 +28166,9 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     }
     for (i = 0; i < n; i++) keyed[i].item = (paradt_index)i;
     paradt__curve_begin(&curve, g->d, paradt__levels_for(n, g->d), set->space.low, set->space.high, n);
-    paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n);
-    for (i = 0; i < n; i++) {
+    status = paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n, g->meter);
+    for (i = 0; i < n && !status; i++) {
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         PARADT__FETCH(set->records, (size_t)keyed[i + 16 < n ? i + 16 : i].item * width);
         set->origin[i] = keyed[i].item;
         to[keyed[i].item] = (paradt_index)i;
@@ -28114,7 +28177,7 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     paradt__release(g->memory, set->records);
     paradt__release(g->memory, keyed);
     set->records = records;
-    return PARADT_OK;
+    return status;
 }
 
 // The least vertex of a cell
@@ -28126,20 +28189,25 @@ PARADT__INLINE paradt_index paradt__diagram_least(const paradt_index *vertices, 
 }
 
 // Finds where cells come, whose vertices are positions. to: [cells]; first: [set.count + 1] scratch
-PARADT__INLINE void paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh, paradt_index *to,
-                                               paradt_index *first, int corners) {
+PARADT__INLINE paradt_status paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh,
+                                                        paradt_index *to, paradt_index *first, int corners) {
     size_t cell, i;
     memset(first, 0, (g->set.count + 1) * sizeof *first);
-    for (cell = 0; cell < g->cells; cell++)
+    for (cell = 0; cell < g->cells; cell++) {
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners) + 1]++;
+    }
     for (i = 0; i < g->set.count; i++) first[i + 1] += first[i];
-    for (cell = 0; cell < g->cells; cell++)
+    for (cell = 0; cell < g->cells; cell++) {
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         to[cell] = first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners)]++;
+    }
+    return PARADT_OK;
 }
 
 // Fills the rows of cells in order. to: NULL: they stay where they are
-PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh, const paradt_index *to,
-                                         int corners) {
+PARADT__INLINE paradt_status paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh,
+                                                  const paradt_index *to, int corners) {
     enum { AHEAD = 8 };
     const size_t bytes = PARADT__ROW_BYTES(corners - 1);
     size_t cell;
@@ -28147,6 +28215,7 @@ PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt_
     for (cell = 0; cell < g->cells; cell++) {
         size_t base = cell * (size_t)corners;
         paradt_index *row = paradt__row_vertices(g, to ? (size_t)to[cell] : cell, bytes);
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         if (to && cell + 2 * AHEAD < g->cells) {
             for (j = 0; j < corners; j++) {
                 paradt_index link = mesh->links[base + (size_t)(2 * AHEAD * corners + j)] / corners;
@@ -28161,6 +28230,7 @@ PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt_
             else row[corners + j] = to ? to[other] * corners + (link - other * corners) : link;
         }
     }
+    return PARADT_OK;
 }
 
 // Makes the rows of a triangulation that is as wide as space: sorts points and cells, and marks the points of the hull.
@@ -28174,14 +28244,18 @@ PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const
         to = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *to);
         status = scratch && to ? paradt__diagram_sort_points(g, scratch) : PARADT_ERROR_MEMORY;
         for (i = 0; i < mesh->count * corners && !status; i++) {
-            if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
+            if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
+            else if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
         }
-        if (!status && corners == 4) paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
-        else if (!status) paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
+        if (!status && corners == 4) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
+        else if (!status) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
     }
-    if (!status && corners == 4) paradt__diagram_fill(g, mesh, to, 4);
-    else if (!status) paradt__diagram_fill(g, mesh, to, 3);
-    for (i = 0; i < g->cells * corners && !status; i++) g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    if (!status && corners == 4) status = paradt__diagram_fill(g, mesh, to, 4);
+    else if (!status) status = paradt__diagram_fill(g, mesh, to, 3);
+    for (i = 0; i < g->cells * corners && !status; i++) {
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
+        g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    }
     for (; i < mesh->count * corners && !status; i++) { // ghosts
         if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
     }
@@ -28192,13 +28266,18 @@ PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const
 
 // Makes the rows, and finds which points are vertices. kind has been cleared.
 static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh *mesh) {
-    enum { LINE = 64 }; // bytes
+    enum { LINE = 64, PACE = 1 << 16 }; // bytes; cells whose pages are made at once
     size_t corners = (size_t)mesh->corners, cell, j;
     g->centred = g->k == g->d && g->d <= 3;
     g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : corners * sizeof(paradt_index);
     if (g->cells > (SIZE_MAX / 2 - LINE) / g->row_bytes) return PARADT_ERROR_MEMORY;
-    g->rows_block = (char *)paradt__alloc_filled(g->memory, g->cells * g->row_bytes + LINE, 1);
+    g->rows_block = (char *)paradt__alloc(g->memory, g->cells * g->row_bytes + LINE, 1);
     if (!g->rows_block) return PARADT_ERROR_MEMORY;
+    for (cell = 0; cell < g->cells; cell += PACE) {
+        size_t end = g->cells - cell > PACE ? cell + PACE : g->cells;
+        if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
+        paradt__make_pages(g->rows_block, cell * g->row_bytes, end * g->row_bytes);
+    }
     g->rows = g->rows_block + (LINE - (uintptr_t)g->rows_block % LINE) % LINE;
     if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
     if (g->centred) return paradt__diagram_rows_centred(g, mesh);
@@ -30365,11 +30444,12 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
     for (i = 0; i < g->cells && !status; i++) {
         const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
         int any = 0;
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         for (j = 0; j < corners; j++) {
             paradt_index of = slot[row[j]];
             if (of >= 0) clipping->first[of + 1]++, any = 1;
         }
-        if (any) status = paradt__list_append(&cells, (paradt_index)i, g->memory);
+        if (any && !status) status = paradt__list_append(&cells, (paradt_index)i, g->memory);
     }
     for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
     if (!status) {
@@ -30379,6 +30459,7 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
     }
     for (i = 0; i < cells.count && !status; i++) {
         const paradt_index *row = paradt__row_vertices(g, (size_t)cells.items[i], g->row_bytes);
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         for (j = 0; j < corners; j++) {
             paradt_index of = slot[row[j]];
             if (of >= 0) clipping->around[clipping->first[of]++] = cells.items[i];
@@ -30713,6 +30794,7 @@ PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, para
     if (status) return status;
     for (i = 0; i < n; i++) out->unbounded[paradt__voronoi_index(g, i)] = work->unbounded[i];
     for (i = 0; i < n && work->tally.sums; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
         const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
         size_t to = paradt__voronoi_index(g, i);
         int infinite = work->unbounded[i];
@@ -30745,16 +30827,20 @@ PARADT__HOT paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, 
     next = (size_t *)paradt__voronoi_array(work, n, sizeof *next, &status); // by position
     if (!status) {
         memset(next, 0, n * sizeof *next);
-        for (i = 0; i < 2 * out->face_count; i++)
+        for (i = 0; i < 2 * out->face_count && !status; i++) {
+            if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
             if (out->sides[i] >= 0) next[out->sides[i]]++;
+        }
         out->first_face[0] = 0;
         for (i = 0; i < n; i++) out->first_face[paradt__voronoi_index(g, i) + 1] = next[i];
         for (i = 0; i < n; i++) out->first_face[i + 1] += out->first_face[i];
         for (i = 0; i < n; i++) next[i] = out->first_face[paradt__voronoi_index(g, i)];
         out->faces = (paradt_index *)paradt__voronoi_array(work, out->first_face[n], sizeof *out->faces, &status);
     }
-    for (i = 0; i < 2 * out->face_count && !status; i++)
+    for (i = 0; i < 2 * out->face_count && !status; i++) {
+        if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
         if (out->sides[i] >= 0) out->faces[next[out->sides[i]]++] = (paradt_index)(i / 2);
+    }
     paradt__release(&work->memory, next);
     return status;
 }
@@ -30773,8 +30859,10 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     list->sides = NULL;
     list->areas = list->centroids = list->normals = NULL;
     status = paradt__voronoi_incidence(work, out);
-    for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
+    for (i = 0; i < 2 * out->face_count && g->set.origin && !status; i++) {
+        if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
         if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
+    }
     for (i = 0; i < out->face_count && out->areas && g->shift; i++)
         out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
     for (i = 0; i < out->face_count && out->normals && (g->shift || g->k < g->d); i++) {
@@ -30840,7 +30928,10 @@ PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__
     n->same = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->same);
     n->number = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->number);
     if (!n->same || !n->number) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < g->cells; i++) n->same[i] = (paradt_index)i, n->number[i] = -1;
+    for (i = 0; i < g->cells; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
+        n->same[i] = (paradt_index)i, n->number[i] = -1;
+    }
     for (i = 0; i < g->cells * corners; i++) {
         paradt_index cell = (paradt_index)(i / corners), a, b;
         paradt_index link = paradt__row_vertices(g, i / corners, g->row_bytes)[corners + i % corners];
@@ -30855,7 +30946,10 @@ PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__
         if (a < b) n->same[b] = a;
         else n->same[a] = b;
     }
-    for (i = 0; i < g->cells; i++) n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    for (i = 0; i < g->cells; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
+        n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    }
     return PARADT_OK;
 }
 
@@ -30963,6 +31057,7 @@ static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__vo
     out->vertices = (double *)paradt__voronoi_array(work, n->of.count * d, sizeof(double), &status);
     if (status) return status;
     for (i = 0; i < n->of.count; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
         paradt_index of = n->of.items[i];
         const double *x = of >= 0 ? paradt__centre_of(g, of, g->d) : work->corners.places + (size_t)(-2 - of) * d;
         for (j = 0; j < d; j++) {
@@ -30981,6 +31076,7 @@ PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, p
     memset(&n, 0, sizeof n);
     status = paradt__numbering_cells(&n, work);
     if (!status) status = paradt__numbering_places(&n, work);
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     out->first_vertex = (size_t *)paradt__voronoi_array(work, work->list.count + 1, sizeof(size_t), &status);
     if (!status) out->first_vertex[0] = 0;
     for (i = 0; i < work->list.count && !status; i++) {
@@ -31026,6 +31122,7 @@ PARADT__HOT paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const 
         team = paradt__voronoi_team(work, PARADT__VORONOI_FACES);
         if (!status)
             status = paradt__faces_make(g, &team, work->wants, &work->tally, work->wants & faces ? &work->list : NULL);
+        if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     }
     if (!status) status = paradt__voronoi_clip(work);
     if (!status) status = paradt__voronoi_cells(work, out);
@@ -31172,6 +31269,7 @@ PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const parad
 // paradt__check_is_odd.
 
 enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
+enum { PARADT__CHECK_LOOK = 1 << 17 }; // ... and of a plain loop
 
 // The phases of the check in their order: name, part of the work that is done when the phase begins
 #define PARADT__CHECK_PHASES(X)                                                                                        \
@@ -31777,18 +31875,24 @@ static size_t paradt__check_list(const paradt__check *check, paradt__check_key *
 }
 
 // Sorts by key, in passes by one digit from the lowest. The number of passes is even, so the result is in `keys` again.
-static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other, size_t count) {
+static paradt_status paradt__check_sort(const paradt__check *check, paradt__check_key *keys, paradt__check_key *other,
+                                        size_t count) {
     int digit;
     for (digit = 0; digit < PARADT__CHECK_DIGITS; digit++) {
         size_t starts[(1 << PARADT__CHECK_DIGIT) + 1] = {0}, i, mask = (1 << PARADT__CHECK_DIGIT) - 1;
         int shift = digit * PARADT__CHECK_DIGIT;
         paradt__check_key *swap = keys;
+        if (paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
         for (i = 0; i < count; i++) starts[(keys[i].key >> shift & mask) + 1]++;
         for (i = 0; i < mask; i++) starts[i + 1] += starts[i];
-        for (i = 0; i < count; i++) other[starts[keys[i].key >> shift & mask]++] = keys[i];
+        for (i = 0; i < count; i++) {
+            if (i % PARADT__CHECK_LOOK == 0 && paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
+            other[starts[keys[i].key >> shift & mask]++] = keys[i];
+        }
         keys = other;
         other = swap;
     }
+    return PARADT_OK;
 }
 
 // Condition (8) for one point: walks from *cell, across facets that have the point beyond them, to a cell that contains
@@ -31821,7 +31925,7 @@ static paradt_status paradt__check_hidden(paradt__check *check) {
     keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
     if (!keys) return PARADT_ERROR_MEMORY;
     n = paradt__check_list(check, keys);
-    paradt__check_sort(keys, keys + n, n);
+    status = paradt__check_sort(check, keys, keys + n, n);
     for (i = 0; i < n && !status; i++) {
         paradt_index point = keys[i].point;
         status = paradt__check_pace(check, i, n);
@@ -32067,7 +32171,7 @@ static paradt_status paradt__proof_points(paradt__check *check) {
     keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
     if (!keys) return PARADT_ERROR_MEMORY;
     n = paradt__check_list(check, keys);
-    paradt__check_sort(keys, keys + n, n);
+    status = paradt__check_sort(check, keys, keys + n, n);
     for (i = 0; i < n && !status; i++) {
         status = paradt__check_pace(check, i, n);
         if (check->cell_of[keys[i].point] >= 0) facet = check->cell_of[keys[i].point];
@@ -32086,6 +32190,7 @@ static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
     paradt__list stack = {NULL, 0, 0};
     paradt_status status = PARADT_OK;
     for (i = 0; i < check->set.count; i++) vertices += check->cell_of[i] >= 0;
+    if (paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
     if (hull->vertex_count != vertices || hull->extreme_count > vertices)
         return paradt__check_fail(check, "vertex_count is not the number of vertices", -1, -1);
     for (i = 0; i < vertices; i++) {
@@ -32098,7 +32203,8 @@ static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
     if (!flood) return PARADT_ERROR_MEMORY;
     for (i = 0; i < count; i++) flood[i] = -1;
     for (i = 0; i < count && !status; i++) { // each number names one set of facets that flat ridges connect
-        if (flood[i] >= 0) continue;
+        status = paradt__check_pace(check, i, count);
+        if (flood[i] >= 0 || status) continue;
         if (hull->plane[i] < 0 || (size_t)hull->plane[i] >= hull->plane_count || planes++ == hull->plane_count)
             status = paradt__check_fail(check, "the number of a plane is out of range", (paradt_index)i, -1);
         flood[i] = 0;
