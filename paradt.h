@@ -1295,7 +1295,7 @@ PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const do
 
 // Copies the triangulation: cells in ids, numbered from 0 without gaps; representative[id] is -2 for a free id. The
 // arrays come from the set's allocator; paradt_free frees them. neighbors are cells.
-// Errors: MEMORY. Thread-safe on a set that does not change. Cost: linear time.
+// Errors: MEMORY, CANCELLED. Thread-safe on a set that does not change. Cost: linear time.
 PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out);
 #endif
 
@@ -1544,7 +1544,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   ground
 //     memory                       189   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        190   progress, teams, pauses, the clock
+//     tasks                        196   progress, teams, pauses, the clock
 //   predicates
 //     space                        294   what the predicates know of a set
 //     filters                      222   signs in floating point, with error bounds
@@ -1552,12 +1552,12 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     exact                        622   signs in integers
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        323   Hilbert's curve, sorting along it
+//     curve                        330   Hilbert's curve, sorting along it
 //     points                       164   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
-//     sorting                      470   along the curve, box after box
+//     sorting                      471   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
 //     reference sphere             204   sagittas near a sphere
 //   mesh
@@ -1581,8 +1581,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 672   conflict tests by one product, in two and three dimensions
 //     digging by spheres           301   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           294   dig and star with kept spheres
-//     insertion by spheres         215   locate, dig and star, all together
+//     stars in the plane           295   dig and star with kept spheres
+//     insertion by spheres         214   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            120   the same for the plane
 //     inserting                    239   insertions from begin to end
@@ -1592,14 +1592,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     conflict graph               346   randomized incremental construction: regions, conflicts, one facet's step
 //     conflict rounds              408   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
-//     hull of points               103   convex hulls
+//     hull of points               165   convex hulls
 //     nodes                         65   the memory of all cells ever made
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      131   the dag of all cells, by which points are located
 //     insertion by flips           381   search, split, collect, flip
 //     Delaunay tree                306   location by the cells that there were
 //   division
-//     regions of fronts            125   owners, joining
+//     regions of fronts            127   owners, joining
 //     fringe                       106   cells that are not a region's own alone
 //     fields and patches           344   a region's points, its insertion
 //     questions between regions    373   is a cell one of T(P)?
@@ -1614,11 +1614,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     methods                      330   one row a method; AUTO's choice
 //     triangulate                  390   the entry
 //   use
-//     minors                        67   determinants with bounds, in floating point
-//     hull points                  471   those that a hull has to look at
-//     hull faces                   336   planes, extreme points, measures
-//     hull                         270   the entry
-//     given triangulation          198   the caller's cells and points as a mesh and a set
+//     minors                        93   determinants with bounds, in floating point
+//     hull points                  474   those that a hull has to look at
+//     hull faces                   374   planes, extreme points, measures
+//     hull                         304   the entry
+//     given triangulation          206   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
@@ -1628,31 +1628,31 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     starting cells               285   a vertex near any place
 //     distances                    162   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
-//     adjacency                    189   a vertex to its cells and its neighbours, edges
+//     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
 //     locator                      644   the entry of queries
-//     holes of vertices            382   the hole where a vertex goes, and wrapping it
-//     filling holes                391   what fills it
-//     past of a living set         243   location by all cells that there were
-//     state of a living set        428   columns, hidden and coincident points
+//     holes of vertices            456   the hole where a vertex goes, and wrapping it
+//     filling holes                466   what fills it
+//     past of a living set         245   location by all cells that there were
+//     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      457   one point comes, goes or moves
-//     making a living set          262   the set anew
-//     living set                   665   the entry
+//     changes of a living set      458   one point comes, goes or moves
+//     making a living set          260   the set anew
+//     living set                   707   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
-//     diagram order                134   points and cells in the order of space
+//     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             158   centres of cells, and their errors
-//     Voronoi faces                488   faces and volumes that nothing clips
+//     Voronoi faces                490   faces and volumes that nothing clips
 //     planes of a cell             329   where planes meet, in integers
 //     clipped cell                 552   a cell as planes and vertices, in any dimension
-//     measures of a clipped cell   257   volumes, areas, centroids
-//     clipping                     481   all cells that walls or infinity clip
-//     Voronoi                      636   the entry
+//     measures of a clipped cell   261   volumes, areas, centroids
+//     clipping                     482   all cells that walls or infinity clip
+//     Voronoi                      652   the entry
 //   check
-//     check                        501   the certificate
-//     check of the hull            287   ... and of hidden points
-//     check of a hull              331   that of a hull alone
+//     check                        502   the certificate
+//     check of the hull            293   ... and of hidden points
+//     check of a hull              333   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -2209,9 +2209,9 @@ static double paradt__widen(uint32_t bits) {
 //
 // What runs on several threads: progress and cancelling, teams of tasks, giving up, and pauses of insertions that work
 // together; and the clock. Doors: paradt__progress_cancels, paradt__progress_of, paradt__meter_begin,
-// paradt__meter_done, paradt__meter_cancels, paradt__progress_of_task, paradt__team_of, paradt__few_of,
-// paradt__team_run, paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP, paradt__relay_pauses,
-// paradt__relay_waits, paradt__now.
+// paradt__meter_done, paradt__meter_cancels, paradt__meter_stops, paradt__progress_of_task, paradt__team_of,
+// paradt__few_of, paradt__team_run, paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP,
+// paradt__relay_pauses, paradt__relay_waits, paradt__now.
 
 // --- progress
 //
@@ -2259,6 +2259,12 @@ static int paradt__meter_cancels(paradt__meter *meter) {
         PARADT__ATOMIC_UNLOCK(&meter->calling);
     }
     return PARADT__ATOMIC_LOAD(&meter->cancelled);
+}
+
+// Asks once in so many steps of a plain loop, which are a few milliseconds. meter: NULL: nobody asks
+PARADT__INLINE int paradt__meter_stops(paradt__meter *meter, size_t step) {
+    enum { PACE = 1 << 17 };
+    return step % PACE == PACE - 1 && meter && paradt__meter_cancels(meter);
 }
 
 // A share of the work. *reported, 0 at first, is the caller's to keep for as long as somebody works on the share.
@@ -4027,10 +4033,12 @@ static int paradt__whole_steps(int levels, int dim) {
     return step > 1 ? (levels + step - 1) / step * step : levels;
 }
 
-// Number of levels that tell nearly all of `count` points apart, if they are spread evenly
+// Number of levels that tell nearly all of `count` points apart, if they are spread evenly. Of few points, whose keys
+// take a step a level, a few more are left together.
 static int paradt__levels_for(size_t count, int dim) {
     int most = PARADT__CURVE_BITS / dim < 31 ? PARADT__CURVE_BITS / dim : 31;
-    int levels = paradt__whole_steps((paradt__bit_length(count) + 10) / dim + 1, dim);
+    int levels = count < PARADT__MANY_KEYS ? (paradt__bit_length(count) + 6) / dim + 1
+                                           : paradt__whole_steps((paradt__bit_length(count) + 10) / dim + 1, dim);
     return levels < most ? levels : most;
 }
 
@@ -4225,12 +4233,17 @@ static uint64_t paradt__curve_key(const paradt__curve *curve, const double *poin
 }
 
 // Sorts records along the curve. On entry keyed[i].item are the positions of the records; the keys are made here.
-// other: scratch for as many.
-static void paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width, paradt__keyed *keyed,
-                               paradt__keyed *other, size_t count) {
+// other: scratch for as many. meter: NULL, or asked now and then
+static paradt_status paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width,
+                                        paradt__keyed *keyed, paradt__keyed *other, size_t count,
+                                        paradt__meter *meter) {
     size_t i;
-    for (i = 0; i < count; i++) keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    for (i = 0; i < count; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    }
     paradt__keyed_sort(keyed, other, count, curve->lattice.dim * curve->lattice.levels, 0);
+    return meter && paradt__meter_cancels(meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5058,7 +5071,8 @@ PARADT__COLD int paradt__split_run(const paradt__loader *loader, size_t task, pa
                                    size_t count, int by_steps) {
     paradt__lattice lattice;
     int64_t low[PARADT_MAX_DIM], high[PARADT_MAX_DIM];
-    int dim = loader->source->points.dim, levels = paradt__levels_for(count, dim), axis, equal = 1;
+    int dim = loader->source->points.dim, axis, equal = 1;
+    int levels = paradt__whole_steps(paradt__levels_for(count, dim), dim); // the table may be that for many points
     size_t i;
     for (i = 0; i < count; i++) {
         double record[PARADT_MAX_DIM];
@@ -5136,7 +5150,7 @@ PARADT__HOT void paradt__sort_few(const paradt__loader *loader, size_t few, int 
     PARADT_ASSERT(2 * few <= loader->source->points.count);
     paradt__curve_begin(&curve, space->ambient, levels, space->low, space->high, few);
     for (i = 0; i < few; i++) loader->keyed[i].item = (paradt_index)((double)loader->sampled / (double)few * (double)i);
-    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few);
+    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few, NULL);
 }
 
 // Estimates the spacing of the set (see paradt__spacing) by that of few points: one in 2^(k dim) points is 2^k times as
@@ -9703,7 +9717,7 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
     enum { FEW = 16 }; // own points from one comparison of keys to the next
     size_t others = set->count - own, i, few, end, next = 0;
     for (i = 0; i < others; i++) sorted[i].item = (paradt_index)(own + i);
-    paradt__curve_sort(curve, set->records, set->width, sorted, other, others);
+    paradt__curve_sort(curve, set->records, set->width, sorted, other, others, NULL);
     for (i = 0; i < own; i += FEW) {
         uint64_t key = paradt__curve_key(curve, set->records + i * set->width);
         while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].item);
@@ -9742,7 +9756,7 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
         paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
                             set->count);
         for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
-        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count, NULL);
         for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
     } else {
         paradt__release(memory, order);
@@ -11508,8 +11522,8 @@ PARADT__NOINLINE void paradt__plane_ghosts(paradt__insertion *build, paradt__new
     for (i = count - 2; i < count + 1; i++) star->base[i] = star->base[0];
 }
 
-// Stores the new cells on the facets of the polygon at their places, and links them; what is behind the last facet and
-// the last place repeats them, but for the corner, which is the first one's.
+// Stores the new cells on the facets of the polygon at their places, and links them. The last place is repeated, as in
+// paradt__plane_pad.
 PARADT__INLINE void paradt__polygon_star(paradt__insertion *build, paradt__polygon *polygon, paradt_index point) {
     paradt_index *made = build->update.made, *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
     paradt_index ghosts = 0, last, a;
@@ -11530,6 +11544,7 @@ PARADT__INLINE void paradt__polygon_star(paradt__insertion *build, paradt__polyg
         last = base;
         a = b;
     }
+    for (i = count; i < count + PARADT__PLANE_TOGETHER - 1; i++) made[i] = last;
     build->kept->ghosts = ghosts < 0;
 }
 
@@ -11782,7 +11797,6 @@ PARADT__INLINE paradt_status paradt__plane_insert_any(paradt__insertion *build, 
     status = paradt__kept_places(build, 3);
     if (status) return status;
     paradt__polygon_star(build, &polygon, point);
-    paradt__plane_pad(build);
     paradt__kept_spheres(build, x, &centred, &polygon, kernels);
     PARADT_ASSERT(build->update.made_count == build->rim_count);
     return PARADT_OK;
@@ -11813,7 +11827,7 @@ static paradt_status paradt__plane_insert(paradt__insertion *build, paradt_index
 // time where the processor has AVX2 and FMA. They differ from the plain ones in the last bits of powers at most, and
 // powers decide nothing where these bits matter. In names `four` stands for four lanes. Doors: PARADT__KEPT_AVX2,
 // paradt__kept_insert_avx2, paradt__dot_avx2, paradt__four_spheres, paradt__four_differences, paradt__abs_avx2,
-// paradt__two_halves, paradt__four_store, paradt__four_least.
+// paradt__two_halves, paradt__four_store.
 
 #if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
 #define PARADT__KEPT_AVX2 1
@@ -14192,31 +14206,93 @@ PARADT__INLINE size_t paradt__furthest_of(const paradt__set *set, const paradt_i
     return best;
 }
 
-// Moves points that are far out to the front of an order by chance: of each 1024 points the one that is furthest in a
+// --- points that are far out first
+//
+// Points that are far out go to the front of an order by chance: of each 1024 points the one that is furthest in a
 // direction by chance, then of each 512 of the others, and so on. In a ball of five dimensions that saves half of the
 // time, for facets made of inner points are made in vain. The directions are chosen anew for each group: so an order of
-// points that are all on the hull remains one by chance.
-PARADT__HOT paradt_status paradt__outer_first(const paradt__set *set, const paradt__team *team, paradt_index *order) {
-    enum { GROUP = 1024 };
+// points that are all on the hull remains one by chance. Each block of 1024 points is dealt with while it is in the
+// cache, and by one task.
+
+enum { PARADT__OUTER_BLOCK = 1024, PARADT__OUTER_LEVELS = 11 };
+
+typedef struct paradt__outer {
+    const paradt__set *set;
+    const paradt__team *team;
+    paradt_index *order; // [set->count] by chance; the points of a block change places
+    paradt_index *outer; // [set->count] those far out first
     double widths[PARADT_MAX_DIM];
-    size_t front = 0, group, begin, looked = 0;
-    int j;
-    if (!set->space.bounded) return PARADT_OK;
-    for (j = 0; j < set->space.dim; j++) {
-        double width = paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]);
-        widths[j] = width > paradt__power(-400) ? 1 / width : 0.0;
-    }
-    for (group = GROUP; group > 1; group /= 2) {
-        for (begin = front; begin + group <= set->count; begin += group) {
-            size_t best = paradt__furthest_of(set, order, begin, begin + group, widths, begin * group);
-            paradt_index point = order[best];
-            looked += group;
-            if (looked % PARADT__PACE < group && paradt__team_cancels(team, 0, 0.0)) return PARADT_ERROR_CANCELLED;
-            order[best] = order[front];
-            order[front++] = point;
+    size_t begin[PARADT__OUTER_LEVELS]; // where in `outer` the points of a level begin; those of the last are the rest
+    size_t each[PARADT__OUTER_LEVELS];  // points that a whole block has of the level
+} paradt__outer;
+
+// How many of the `left` points of a block are taken at a level; the next one finds fewer left
+PARADT__INLINE size_t paradt__outer_taken(size_t *left, int level) {
+    size_t taken = level + 1 < PARADT__OUTER_LEVELS ? *left / ((size_t)PARADT__OUTER_BLOCK >> level) : *left;
+    *left -= taken;
+    return taken;
+}
+
+// Moves those points of order[begin, end), a block, that are far out to its front, level by level.
+PARADT__INLINE void paradt__outer_block(const paradt__outer *o, size_t begin, size_t end) {
+    size_t front = begin, group, at;
+    for (group = PARADT__OUTER_BLOCK; group > 1; group /= 2) {
+        for (at = front; at + group <= end; at += group) {
+            size_t best = paradt__furthest_of(o->set, o->order, at, at + group, o->widths, at * group);
+            paradt_index point = o->order[best];
+            o->order[best] = o->order[front];
+            o->order[front++] = point;
         }
     }
-    return PARADT_OK;
+}
+
+// Orders a task's blocks, and copies the points of each level to those of the other blocks.
+PARADT__HOT void paradt__outer_task(void *context, size_t task) {
+    enum { TOGETHER = 16 }; // blocks
+    const paradt__outer *o = (const paradt__outer *)context;
+    const size_t size = PARADT__OUTER_BLOCK, count = o->set->count;
+    size_t block, last = paradt__loader_range(o->team, (count + size - 1) / size, task, &block);
+    for (; block < last; block++) {
+        size_t begin = block * size, end = count - begin < size ? count : begin + size, left = end - begin, at = begin;
+        int level;
+        if (block % TOGETHER == 0 && paradt__team_cancels(o->team, task, 0.0)) return;
+        paradt__outer_block(o, begin, end);
+        for (level = 0; level < PARADT__OUTER_LEVELS; level++) {
+            size_t taken = paradt__outer_taken(&left, level), to = o->begin[level] + block * o->each[level];
+            memcpy(o->outer + to, o->order + at, taken * sizeof *o->outer);
+            at += taken;
+        }
+    }
+}
+
+// Replaces an order by chance by one in which points that are far out come first. *order: a block; NULL is an error of
+// memory
+PARADT__HOT paradt_status paradt__outer_first(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                              paradt_index **order) {
+    const size_t blocks = set->count / PARADT__OUTER_BLOCK;
+    size_t whole = PARADT__OUTER_BLOCK, rest = set->count % PARADT__OUTER_BLOCK, before = 0;
+    paradt__outer o;
+    int i;
+    if (!*order) return PARADT_ERROR_MEMORY;
+    if (!set->space.bounded) return PARADT_OK;
+    o.set = set;
+    o.team = team;
+    o.order = *order;
+    for (i = 0; i < set->space.dim; i++) {
+        double width = paradt__from_ordered_bits(set->space.high[i]) - paradt__from_ordered_bits(set->space.low[i]);
+        o.widths[i] = width > paradt__power(-400) ? 1 / width : 0.0;
+    }
+    for (i = 0; i < PARADT__OUTER_LEVELS; i++) {
+        o.begin[i] = before;
+        o.each[i] = paradt__outer_taken(&whole, i);
+        before += blocks * o.each[i] + paradt__outer_taken(&rest, i);
+    }
+    o.outer = (paradt_index *)paradt__alloc_filled(memory, set->count, sizeof *o.outer);
+    if (!o.outer) return PARADT_ERROR_MEMORY;
+    paradt__team_run(team, paradt__outer_task, &o);
+    paradt__release(memory, *order);
+    *order = o.outer;
+    return paradt__team_cancelled(team) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // Makes the mesh of the facets of the convex hull of a set, whose affine dimension is set->space.dim = k >= 1: k
@@ -14238,7 +14314,7 @@ PARADT__OPTIONAL paradt_status paradt__hull_facets(const paradt__set *set, const
     paradt__mesh_begin(facets, set->space.dim, 0);
     if (set->space.dim == 1) return paradt__hull_of_line(set, memory, facets);
     order = paradt__shuffled_order(set->count, memory);
-    status = order ? paradt__outer_first(set, team, order) : PARADT_ERROR_MEMORY;
+    status = paradt__outer_first(set, team, memory, &order);
     if (status) {
         paradt__release(memory, order);
         return status;
@@ -15488,6 +15564,7 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
     paradt_index open[PARADT__JOINED];
     paradt_status status = paradt__facets_begin(&table, 0, 0, memory);
     for (i = 0; i < facets && !status; i++) {
+        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (all->links[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
         if (count < PARADT__JOINED && i + 1 < facets) continue;
         status = paradt__facets_join(&table, all, open, count, 0, memory);
@@ -15495,7 +15572,8 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
         if (!status && i % PARADT__PACE < PARADT__JOINED && paradt__meter_cancels(meter))
             status = PARADT_ERROR_CANCELLED;
     }
-    for (i = 0; i < facets; i++) {
+    for (i = 0; i < facets && !status; i++) {
+        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (all->links[i] == PARADT__OPEN) all->links[i] = PARADT__HULL;
         *hull_facets += all->links[i] == PARADT__HULL;
     }
@@ -19575,9 +19653,9 @@ static size_t paradt__hull_sample(const paradt__sifting *sifting, const paradt__
 }
 
 // Makes the sieve of a sample of `count` points, in place of that of a smaller one, for as many points as `next`.
-// *pays: 0: it would not pay, and there is none
+// *pays: 0: it would not pay, and there is none. *vertices: of the sample's hull; 0 if the sample is flat
 static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__sieve *sieve, const double *high,
-                                          size_t count, size_t next, double *coordinates, int *pays) {
+                                          size_t count, size_t next, double *coordinates, int *pays, size_t *vertices) {
     paradt__memory *memory = sifting->memory;
     paradt__team alone = *sifting->team; // which reports no progress
     paradt__counters counters;
@@ -19588,7 +19666,8 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
     paradt_index *representative = (paradt_index *)paradt__alloc(memory, sample.count + 1, sizeof *representative);
     unsigned char *met = (unsigned char *)paradt__alloc(memory, sample.count + 1, 1);
     paradt_status status = representative && met ? PARADT_OK : PARADT_ERROR_MEMORY;
-    size_t bad = 0, i, vertices = 0;
+    size_t bad = 0, i;
+    *vertices = 0;
     sample.data = coordinates;
     alone.tasks = 1;
     alone.progress.share = 0.0;
@@ -19603,10 +19682,10 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
         status = paradt__hull_mesh(&set, &alone, memory, &mesh, &counters);
         if (!status) memset(met, 0, sample.count);
         for (i = 0; i < mesh.count * (size_t)mesh.corners && !status; i++) {
-            vertices += !met[mesh.vertices[i]];
+            *vertices += !met[mesh.vertices[i]];
             met[mesh.vertices[i]] = 1;
         }
-        *pays = !status && 2 * vertices < count; // else more than half of all points are outside
+        *pays = !status && 2 * *vertices < count; // else more than half of all points are outside
     }
     *pays = *pays && mesh.count <= (size_t)INT32_MAX && paradt__sieve_scale(sieve, high, next);
     if (*pays) status = paradt__sieve_make(sieve, &mesh, &set, coordinates, memory);
@@ -19617,11 +19696,13 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
     return status;
 }
 
-// Makes the sieve, if one pays: sieve->cells is NULL if there is none. high: of the box of all points
+// Makes the sieve, if one pays: sieve->cells is NULL if there is none. Where all of a few points are vertices of their
+// hull, as on a sphere, none will: of 128 points in a ball in five dimensions 97 are. high: of the box of all points
 static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve *sieve, const double *high) {
     static const size_t least[] = {0, 0, 256, 512, 512, 64, 0, 0, 0}; // points of the first sample; 0: no sieve
-    enum { STEP = 32 };                                               // from one sample to the next, and to all
+    enum { STEP = 32, FEW = 128 };                                    // from one sample to the next, and to all
     size_t all = sifting->source->points.count, count = all / STEP, size = (size_t)sieve->dim * sizeof(double);
+    size_t vertices = 0;
     double *coordinates;
     paradt_status status = PARADT_OK;
     int pays = 1;
@@ -19629,9 +19710,9 @@ static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve
     coordinates = (double *)paradt__alloc(sifting->memory, count, size);
     if (!coordinates) return PARADT_ERROR_MEMORY;
     while (count / STEP >= least[sieve->dim]) count /= STEP;
-    for (; count <= all / STEP && pays && !status; count *= STEP) {
-        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays);
-    }
+    if (count > FEW) status = paradt__sieve_refine(sifting, sieve, high, FEW, count, coordinates, &pays, &vertices);
+    for (pays = vertices < FEW; count <= all / STEP && pays && !status; count *= STEP)
+        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays, &vertices);
     paradt__release(sifting->memory, coordinates);
     return status;
 }
@@ -19670,7 +19751,9 @@ static paradt_status paradt__hull_sift(paradt__sifting *sifting, paradt__sieve *
 // which are the facets, and ridges where a mesh of cells has facets.
 //
 // Facets of one face are connected through ridges, and at each of these the facets' other vertices lie in one plane. So
-// a plane is what is reached through flat ridges, which are found by exact signs and noted in a byte a facet.
+// a plane is what is reached through flat ridges, which are noted in a byte a facet. The minors of a facet's vectors
+// are needed for its measures; most ridges are not flat by these minors and the bound of their errors, for the others
+// exact signs are taken.
 //
 // Extreme points. Let S(v) be the planes that v lies on. A point v of the hull that is not extreme lies in the interior
 // of a face F of dimension 1 at least, F is the intersection of the planes in S(v) with the hull, and F is triangulated
@@ -19678,8 +19761,39 @@ static paradt_status paradt__hull_sift(paradt__sifting *sifting, paradt__sieve *
 // alone, and no other point is on all the planes in S(v). So v is extreme if no w that shares a facet with v has all of
 // S(v): no arithmetic is needed. Most points need no lists: if a facet has no flat ridge at v then v is a corner of the
 // facet's plane, and extreme.
-// Doors: paradt__hull_planes, paradt__hull_vertices, paradt__hull_measure.
+//
+// Measures. The hull is cut into simplices, each the join of a facet with one place, the first facet's first vertex:
+// none of them has a negative volume. A facet's rows are its vertices less the first one, and then that place less the
+// first one, so that the error is small where the facet is. Coordinates are brought below 1 by a power of two, and the
+// sums back in the end.
+// Doors: paradt__hull_look, paradt__hull_planes, paradt__hull_vertices, paradt__hull_measure.
 
+// A sum of numbers that are not negative: part i is 0 or a sum of 2^i of them. So each is rounded 64 times at most,
+// and again where the sums of tasks are added.
+typedef struct paradt__cascade {
+    double part[64];
+    uint64_t count;
+} paradt__cascade;
+
+PARADT__INLINE void paradt__cascade_add(paradt__cascade *sum, double x) {
+    uint64_t count = sum->count++;
+    int i = 0;
+    for (; count & 1; count >>= 1, i++) x += sum->part[i];
+    sum->part[i] = x;
+}
+
+static double paradt__cascade_end(const paradt__cascade *sum) {
+    double x = 0;
+    int i;
+    for (i = 0; i < 64; i++) x += sum->count >> i & 1 ? sum->part[i] : 0.0;
+    return x;
+}
+
+typedef struct paradt__measured {
+    paradt__cascade area, area_error, volume, volume_error;
+} paradt__measured;
+
+// What the steps of this section work on. The owner fills what comes before `scale`.
 typedef struct paradt__faces {
     paradt__set *set;
     const paradt__mesh *mesh;
@@ -19689,41 +19803,126 @@ typedef struct paradt__faces {
         *flat; // [facets] bit i: the ridge opposite vertex i is flat; each ridge is noted at its smaller handle
     paradt_index *plane; // [facets]
     size_t plane_count;
-    unsigned char *kind; // [set.count] PARADT__HULL_* bits of a point
-    int unit;            // the caller's coordinates are 2^unit times the set's
+    unsigned char *kind;              // [set.count] PARADT__HULL_* bits of a point
+    int unit;                         // the caller's coordinates are 2^unit times the set's
+    int scale;                        // the set's coordinates are 2^scale times those that are measured
+    size_t flats[PARADT__MOST_TASKS]; // facets that have a flat ridge noted, by task
+    int general;                      // 1: none has
+    int minors;                       // 1: a facet's minors may tell that a ridge is not flat
+    paradt__measured sums[PARADT__MOST_TASKS];
     paradt__counters counters[PARADT__MOST_TASKS];
 } paradt__faces;
 
 enum { PARADT__HULL_VERTEX = 1, PARADT__HULL_EXTREME = 2, PARADT__HULL_PACE = 1 << 12 };
 
-// --- planes
+// --- one look at each facet
 
-// Finds the flat ridges of a task's facets.
-PARADT__HOT void paradt__hull_flat_task(void *context, size_t task) {
-    paradt__faces *faces = (paradt__faces *)context;
+// Adds the measures of one facet. x: its vertices, then the place that all simplices have in common
+PARADT__INLINE void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table *table,
+                                           double (*x)[PARADT_MAX_DIM], int k, int ambient) {
+    double error, measure;
+    int i, j;
+    for (i = 0; i < k; i++)
+        for (j = 0; j < ambient; j++) table->row[i][j] = x[i + 1][j] - x[0][j];
+    paradt__minors_of(table, k, ambient);
+    measure = k > 1 ? paradt__minors_measure(table, k - 1, ambient, &error) : (error = 0, 1.0);
+    paradt__cascade_add(&sums->area, measure);
+    paradt__cascade_add(&sums->area_error, error);
+    measure = paradt__minors_measure(table, k, ambient, &error);
+    paradt__cascade_add(&sums->volume, measure);
+    paradt__cascade_add(&sums->volume_error, error);
+}
+
+// Is a ridge of the facet not flat for certain? table: the facet's, in as many dimensions as it has vertices. x: the
+// facet's first vertex and the other facet's vertex beyond the ridge. Their determinant is expanded along the last row,
+// as in >>minors; 2^-900 makes up for what is lost where numbers are tiny.
+PARADT__INLINE int paradt__hull_is_bent(const paradt__minors_table *table, const double *x, const double *beyond,
+                                        int k) {
+    double sum = 0, size = 0;
+    int j;
+    for (j = 0; j < k; j++) {
+        double across = beyond[j] - x[j];
+        sum = across * table->minor[((1u << k) - 1) ^ (1u << j)] - sum;
+        size += paradt__abs(across) * table->size[((1u << k) - 1) ^ (1u << j)];
+    }
+    return paradt__abs(sum) > paradt__minors_factor(k) * size + paradt__power(-900);
+}
+
+// Reads a point as it is measured. factor: 2^-scale, or 0: that is too small or large
+PARADT__INLINE void paradt__hull_place(const paradt__faces *faces, paradt_index vertex, double factor, double *x,
+                                       int ambient) {
+    const double *p = paradt__record(faces->set, vertex);
+    int j, exact = 1;
+    for (j = 0; j < ambient; j++) x[j] = factor > 0 ? p[j] * factor : paradt__scale(p[j], -faces->scale, &exact);
+}
+
+// Measures a facet and finds out which of its ridges are flat.
+PARADT__INLINE unsigned paradt__hull_look_at(const paradt__faces *faces, size_t facet, double factor,
+                                             paradt__space *space, paradt__minors_table *table, paradt__measured *sums,
+                                             int k, int ambient) {
     const paradt__mesh *mesh = faces->mesh;
-    paradt__space space = faces->set->space;
+    const paradt_index *vertices = mesh->vertices + facet * (size_t)k;
     const double *p[PARADT_MAX_DIM + 1];
-    int corners = mesh->corners, i;
-    size_t facet, end = paradt__loader_range(faces->team, mesh->count, task, &facet), first = facet;
+    double x[PARADT_MAX_DIM + 1][PARADT_MAX_DIM], beyond[PARADT_MAX_DIM];
+    unsigned flat = 0;
+    int i;
+    for (i = 0; i < k; i++) paradt__hull_place(faces, vertices[i], factor, x[i], ambient);
+    paradt__hull_place(faces, mesh->vertices[0], factor, x[k], ambient);
+    paradt__hull_add_facet(sums, table, x, k, ambient);
+    for (i = 0; i < k; i++) p[i] = paradt__record(faces->set, vertices[i]);
+    for (i = 0; i < k && k > 1; i++) {
+        paradt_index handle = (paradt_index)(facet * (size_t)k) + i, mirror = mesh->links[handle];
+        if (mirror < handle) continue;
+        paradt__hull_place(faces, mesh->vertices[mirror], factor, beyond, ambient);
+        if (faces->minors && paradt__hull_is_bent(table, x[0], beyond, k)) continue;
+        p[k] = paradt__record(faces->set, mesh->vertices[mirror]);
+        flat |= (unsigned)!paradt__orient(space, p) << i;
+    }
+    return flat;
+}
+
+// Looks at a task's facets: one part in turn, for the later ones have fewer ridges that are noted with them.
+PARADT__HOT void paradt__hull_look_task(void *context, size_t task) {
+    paradt__faces *faces = (paradt__faces *)context;
+    const int k = faces->mesh->corners, d = faces->set->space.ambient;
+    const double factor = faces->scale >= -900 && faces->scale <= 900 ? paradt__power(-faces->scale) : 0.0;
+    const size_t count = faces->mesh->count, tasks = faces->team->tasks;
+    paradt__space space = faces->set->space;
+    paradt__minors_table table;
+    size_t part = task * PARADT__HULL_PACE, facet, end;
     memset(&space.counters, 0, sizeof space.counters);
-    for (; facet < end; facet++) {
-        const paradt_index *vertices = mesh->vertices + facet * (size_t)corners;
-        unsigned flat = 0;
-        if (facet % PARADT__HULL_PACE == 0 &&
-            paradt__team_cancels(faces->team, task, (double)(facet - first) / (double)(end - first)))
-            break;
-        for (i = 0; i < corners; i++) p[i] = paradt__record(faces->set, vertices[i]);
-        for (i = 0; i < corners && corners > 1; i++) {
-            paradt_index handle = (paradt_index)(facet * (size_t)corners) + i, mirror = mesh->links[handle];
-            if (mirror < handle) continue;
-            p[corners] = paradt__record(faces->set, mesh->vertices[mirror]);
-            flat |= (unsigned)!paradt__orient(&space, p) << i;
+    for (; part < count; part += tasks * PARADT__HULL_PACE) {
+        if (paradt__team_cancels(faces->team, task, (double)part / (double)count)) break;
+        end = part + PARADT__HULL_PACE < count ? part + PARADT__HULL_PACE : count;
+        for (facet = part; facet < end; facet++) {
+            unsigned flat = PARADT_MAX_DIM > 2 && k == 3 && d == 3
+                                ? paradt__hull_look_at(faces, facet, factor, &space, &table, &faces->sums[task], 3, 3)
+                                : paradt__hull_look_at(faces, facet, factor, &space, &table, &faces->sums[task], k, d);
+            faces->flat[facet] = (unsigned char)flat;
+            faces->flats[task] += flat != 0;
         }
-        faces->flat[facet] = (unsigned char)flat;
     }
     faces->counters[task] = space.counters;
 }
+
+// Looks at all facets. counters: is added to
+static paradt_status paradt__hull_look(paradt__faces *faces, paradt__counters *counters) {
+    size_t task;
+    faces->scale = paradt__max(faces->set->space.coordinates.top, -1000);
+    faces->minors = faces->mesh->corners == faces->set->space.ambient && paradt__precise();
+    memset(faces->sums, 0, sizeof faces->sums);
+    memset(faces->flats, 0, sizeof faces->flats);
+    paradt__team_run(faces->team, paradt__hull_look_task, faces);
+    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
+    faces->general = 1;
+    for (task = 0; task < faces->team->tasks; task++) {
+        paradt__counters_add(counters, &faces->counters[task]);
+        faces->general &= !faces->flats[task];
+    }
+    return PARADT_OK;
+}
+
+// --- planes
 
 // Is the ridge of a handle flat?
 PARADT__INLINE int paradt__hull_is_flat(const paradt__faces *faces, paradt_index handle) {
@@ -19732,20 +19931,19 @@ PARADT__INLINE int paradt__hull_is_flat(const paradt__faces *faces, paradt_index
 }
 
 // Numbers the planes: faces->plane, which is the result's.
-PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces, paradt__counters *counters) {
+PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces) {
     const paradt__mesh *mesh = faces->mesh;
     paradt__list stack;
     paradt_status status = PARADT_OK;
-    size_t facet, task;
+    size_t facet;
     int i;
-    memset(faces->counters, 0, sizeof faces->counters);
-    paradt__team_run(faces->team, paradt__hull_flat_task, faces);
-    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
-    for (task = 0; task < faces->team->tasks; task++) paradt__counters_add(counters, &faces->counters[task]);
     memset(&stack, 0, sizeof stack);
-    for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = -1;
-    for (facet = 0; facet < mesh->count && !status; facet++) {
-        if (faces->plane[facet] >= 0) continue;
+    faces->plane_count = faces->general ? mesh->count : 0;
+    for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = faces->general ? (paradt_index)facet : -1;
+    for (facet = 0; facet < mesh->count && !faces->general && !status; facet++) {
+        if (facet % PARADT__HULL_PACE == 0 && paradt__team_cancels(faces->team, 0, 1.0))
+            status = PARADT_ERROR_CANCELLED;
+        if (faces->plane[facet] >= 0 || status) continue;
         faces->plane[facet] = (paradt_index)faces->plane_count;
         status = paradt__list_append(&stack, (paradt_index)facet, faces->memory);
         while (stack.count && !status) {
@@ -19857,9 +20055,12 @@ PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__me
     size_t facet, point, unknown = 0;
     int i;
     memset(faces->kind, 0, faces->set->count);
-    for (facet = 0; facet < mesh->count; facet++) {
+    for (facet = 0; facet < mesh->count * (size_t)mesh->corners && faces->general; facet++)
+        faces->kind[mesh->vertices[facet]] = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
+    for (facet = 0; facet < mesh->count && !faces->general; facet++) {
         const paradt_index *vertices = mesh->vertices + facet * (size_t)mesh->corners;
         unsigned flat = 0;
+        if (paradt__meter_stops(meter, facet)) return PARADT_ERROR_CANCELLED;
         for (i = 0; i < mesh->corners; i++)
             flat |= (unsigned)paradt__hull_is_flat(faces, (paradt_index)(facet * (size_t)mesh->corners) + i) << i;
         for (i = 0; i < mesh->corners; i++)
@@ -19880,52 +20081,6 @@ PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__me
 }
 
 // --- measures
-//
-// The hull is cut into simplices, each the join of a facet with one place, the set's first vertex: none of them has a
-// negative volume. A facet's rows are its vertices less the first one, and then that place less the first one, so that
-// the error is small where the facet is. Coordinates are brought below 1 by a power of two, and the sums back in the
-// end.
-
-// A sum of numbers that are not negative: part i is 0 or a sum of 2^i of them. So each is rounded 64 times at most,
-// and again where the sums of tasks are added.
-typedef struct paradt__cascade {
-    double part[64];
-    uint64_t count;
-} paradt__cascade;
-
-PARADT__INLINE void paradt__cascade_add(paradt__cascade *sum, double x) {
-    uint64_t count = sum->count++;
-    int i = 0;
-    for (; count & 1; count >>= 1, i++) x += sum->part[i];
-    sum->part[i] = x;
-}
-
-static double paradt__cascade_end(const paradt__cascade *sum) {
-    double x = 0;
-    int i;
-    for (i = 0; i < 64; i++) x += sum->count >> i & 1 ? sum->part[i] : 0.0;
-    return x;
-}
-
-typedef struct paradt__measured {
-    paradt__cascade area, area_error, volume, volume_error;
-} paradt__measured;
-
-// Adds the measures of one facet. x: its vertices, then the place that all simplices have in common
-PARADT__INLINE void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table *table,
-                                           double (*x)[PARADT_MAX_DIM], int k, int ambient) {
-    double error, measure;
-    int i, j;
-    for (i = 0; i < k; i++)
-        for (j = 0; j < ambient; j++) table->row[i][j] = x[i + 1][j] - x[0][j];
-    paradt__minors_of(table, k, ambient);
-    measure = k > 1 ? paradt__minors_measure(table, k - 1, ambient, &error) : (error = 0, 1.0);
-    paradt__cascade_add(&sums->area, measure);
-    paradt__cascade_add(&sums->area_error, error);
-    measure = paradt__minors_measure(table, k, ambient, &error);
-    paradt__cascade_add(&sums->volume, measure);
-    paradt__cascade_add(&sums->volume_error, error);
-}
 
 // Ends a measure of `count` facets: divides the sum by k! and scales it back. unit: the exponent of the coordinates'
 // scale
@@ -19946,58 +20101,22 @@ static double paradt__hull_end_measure(const paradt__cascade *sum, const paradt_
     return value;
 }
 
-typedef struct paradt__measuring_hull {
-    const paradt__faces *faces;
-    paradt__measured sums[PARADT__MOST_TASKS];
-    int unit; // exponent of the scale of the set's coordinates
-} paradt__measuring_hull;
-
-// Measures a task's facets.
-PARADT__HOT void paradt__hull_measure_task(void *context, size_t task) {
-    paradt__measuring_hull *measuring = (paradt__measuring_hull *)context;
-    const paradt__faces *faces = measuring->faces;
-    const paradt__mesh *mesh = faces->mesh;
-    paradt__minors_table table;
-    double x[PARADT_MAX_DIM + 1][PARADT_MAX_DIM];
-    int k = mesh->corners, d = faces->set->space.ambient, unit = measuring->unit, i, j, exact = 1;
-    double factor = unit >= -900 && unit <= 900 ? paradt__power(-unit) : 0.0;
-    size_t facet, end = paradt__loader_range(faces->team, mesh->count, task, &facet);
-    for (; facet < end; facet++) {
-        if (facet % PARADT__HULL_PACE == 0 && paradt__team_cancels(faces->team, task, 1.0)) return;
-        for (i = 0; i <= k; i++) {
-            const double *p =
-                paradt__record(faces->set, i < k ? mesh->vertices[facet * (size_t)k + (size_t)i] : mesh->vertices[0]);
-            for (j = 0; j < d; j++) x[i][j] = factor > 0 ? p[j] * factor : paradt__scale(p[j], -unit, &exact);
-        }
-        if (k == 3 && d == 3) paradt__hull_add_facet(&measuring->sums[task], &table, x, PARADT_MAX_DIM > 2 ? 3 : 2, 3);
-        else paradt__hull_add_facet(&measuring->sums[task], &table, x, k, d);
-    }
-}
-
-// Measures the boundary and the hull.
-static paradt_status paradt__hull_measure(const paradt__faces *faces, paradt_hull *hull) {
-    paradt__measuring_hull measuring;
+// Ends the measures of the boundary and the hull.
+static void paradt__hull_measure(const paradt__faces *faces, paradt_hull *hull) {
     paradt__measured sums;
-    int k = faces->mesh->corners, unit;
+    int k = faces->mesh->corners, unit = faces->scale + faces->unit;
     size_t task;
-    memset(&measuring, 0, sizeof measuring);
     memset(&sums, 0, sizeof sums);
-    measuring.faces = faces;
-    measuring.unit = paradt__max(faces->set->space.coordinates.top, -1000);
-    paradt__team_run(faces->team, paradt__hull_measure_task, &measuring);
-    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
     for (task = 0; task < faces->team->tasks; task++) {
-        paradt__cascade_add(&sums.area, paradt__cascade_end(&measuring.sums[task].area));
-        paradt__cascade_add(&sums.area_error, paradt__cascade_end(&measuring.sums[task].area_error));
-        paradt__cascade_add(&sums.volume, paradt__cascade_end(&measuring.sums[task].volume));
-        paradt__cascade_add(&sums.volume_error, paradt__cascade_end(&measuring.sums[task].volume_error));
+        paradt__cascade_add(&sums.area, paradt__cascade_end(&faces->sums[task].area));
+        paradt__cascade_add(&sums.area_error, paradt__cascade_end(&faces->sums[task].area_error));
+        paradt__cascade_add(&sums.volume, paradt__cascade_end(&faces->sums[task].volume));
+        paradt__cascade_add(&sums.volume_error, paradt__cascade_end(&faces->sums[task].volume_error));
     }
-    unit = measuring.unit + faces->unit;
     hull->area =
         paradt__hull_end_measure(&sums.area, &sums.area_error, faces->mesh->count, k - 1, unit, &hull->area_error);
     hull->volume =
         paradt__hull_end_measure(&sums.volume, &sums.volume_error, faces->mesh->count, k, unit, &hull->volume_error);
-    return PARADT_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -20077,16 +20196,11 @@ static paradt_status paradt__hull_load(paradt__hull_work *work, const paradt_poi
     return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
 }
 
-// The caller's index of a position
-PARADT__INLINE paradt_index paradt__hull_index(const paradt__hull_work *work, paradt_index position) {
-    paradt_index index = work->set.origin[position];
-    return work->kept ? work->kept[index] : index;
-}
-
 // Lists the vertices, the extreme ones first. kind: [set.count] as in struct paradt__faces
 PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsigned char *kind, paradt_hull *hull) {
     const unsigned char extreme = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
     size_t i, pass, listed = 0;
+    paradt_status status = PARADT_OK;
     unsigned char *sorted = (unsigned char *)paradt__alloc(&work->memory, work->kept_count, 1); // kinds by index
     for (i = 0; i < work->set.count; i++) {
         hull->vertex_count += kind[i] != 0;
@@ -20099,14 +20213,15 @@ PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsig
     }
     memset(sorted, 0, work->kept_count);
     for (i = 0; i < work->set.count; i++) sorted[work->set.origin[i]] = kind[i];
-    for (pass = 0; pass < 2; pass++) {
-        for (i = 0; i < work->kept_count; i++) {
+    for (pass = 0; pass < 2 && !status; pass++) {
+        for (i = 0; i < work->kept_count && !status; i++) {
+            if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
             if (sorted[i] && (sorted[i] == extreme) == !pass)
                 hull->vertices[listed++] = work->kept ? work->kept[i] : (paradt_index)i;
         }
     }
     paradt__release(&work->memory, sorted);
-    return PARADT_OK;
+    return status;
 }
 
 // Returns the exponent by which the set's coordinates are smaller than the caller's: see paradt__set_scale.
@@ -20133,9 +20248,10 @@ static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull 
     faces.plane = hull->plane = (paradt_index *)paradt__alloc(&work->memory, work->mesh.count, sizeof *faces.plane);
     faces.kind = (unsigned char *)paradt__alloc(&work->memory, work->set.count, 1);
     status = faces.flat && faces.plane && faces.kind ? PARADT_OK : PARADT_ERROR_MEMORY;
-    if (!status) status = paradt__hull_planes(&faces, &counters);
+    if (!status) status = paradt__hull_look(&faces, &counters);
+    if (!status) status = paradt__hull_planes(&faces);
     if (!status) status = paradt__hull_vertices(&faces, &work->meter);
-    if (!status) status = paradt__hull_measure(&faces, hull);
+    if (!status) paradt__hull_measure(&faces, hull);
     if (!status) status = paradt__hull_list(work, faces.kind, hull);
     hull->plane_count = faces.plane_count;
     paradt__count_predicates(&work->stats, &counters);
@@ -20144,21 +20260,58 @@ static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull 
     return status;
 }
 
+// Facets that are handed over by tasks
+typedef struct paradt__hull_rows {
+    const paradt__hull_work *work;
+    const paradt__team *team;
+    int neighbors; // links become the numbers of facets
+} paradt__hull_rows;
+
+PARADT__INLINE void paradt__hull_emit(const paradt__hull_work *work, size_t i, size_t end, int neighbors,
+                                      paradt__tag corners) {
+    const paradt_index *kept = work->kept, *origin = work->set.origin;
+    paradt_index *vertices = work->mesh.vertices, *links = work->mesh.links;
+    for (; i < end; i++) {
+        paradt_index index = origin[vertices[i]];
+        vertices[i] = kept ? kept[index] : index;
+        if (neighbors) links[i] = (paradt_index)((paradt__tag)links[i] / corners);
+    }
+}
+
+PARADT__HOT void paradt__hull_rows_task(void *context, size_t task) {
+    const paradt__hull_rows *rows = (const paradt__hull_rows *)context;
+    const paradt__mesh *mesh = &rows->work->mesh;
+    const size_t pace = (size_t)PARADT__HULL_PACE * (size_t)mesh->corners;
+    size_t i, next, end = paradt__loader_range(rows->team, mesh->count * (size_t)mesh->corners, task, &i);
+    for (; i < end; i = next) {
+        next = end - i < pace ? end : i + pace;
+        if (paradt__team_cancels(rows->team, task, 1.0)) return;
+        if (mesh->corners == 3) paradt__hull_emit(rows->work, i, next, rows->neighbors, 3);
+        else if (mesh->corners == 4) paradt__hull_emit(rows->work, i, next, rows->neighbors, 4);
+        else if (mesh->corners == 5) paradt__hull_emit(rows->work, i, next, rows->neighbors, 5);
+        else paradt__hull_emit(rows->work, i, next, rows->neighbors, (paradt__tag)mesh->corners);
+    }
+}
+
 // Hands the facets over: vertices become the caller's indices, links what the flags ask for.
-PARADT__HOT void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
+static paradt_status paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
     paradt__mesh *mesh = &work->mesh;
-    size_t i, all = mesh->count * (size_t)mesh->corners;
-    for (i = 0; i < all; i++) mesh->vertices[i] = paradt__hull_index(work, mesh->vertices[i]);
+    paradt__team team = paradt__hull_team(work, PARADT__HULL_ENDS);
+    paradt__hull_rows rows;
+    rows.work = work;
+    rows.team = &team;
+    rows.neighbors = !(work->options.flags & (PARADT_NO_NEIGHBORS | PARADT_FACETS));
+    paradt__team_run(&team, paradt__hull_rows_task, &rows);
+    if (paradt__team_cancelled(&team)) return PARADT_ERROR_CANCELLED;
     if (work->options.flags & PARADT_NO_NEIGHBORS) {
         paradt__release(&work->memory, mesh->links);
         mesh->links = NULL;
-    } else if (!(work->options.flags & PARADT_FACETS)) {
-        for (i = 0; i < all; i++) mesh->links[i] /= mesh->corners;
     }
     hull->facet_count = mesh->count;
     hull->facets = mesh->vertices;
     hull->neighbors = mesh->links;
     mesh->vertices = mesh->links = NULL;
+    return PARADT_OK;
 }
 
 // Builds the hull of the set and finds what its facets are together.
@@ -20172,7 +20325,7 @@ static paradt_status paradt__hull_build(paradt__hull_work *work, paradt_hull *hu
     status = paradt__hull_mesh(&work->set, &team, &work->memory, &work->mesh, &counters);
     paradt__count_predicates(&work->stats, &counters);
     if (!status) status = paradt__hull_describe(work, hull);
-    if (!status) paradt__hull_deliver(work, hull);
+    if (!status) status = paradt__hull_deliver(work, hull);
     return status;
 }
 
@@ -20424,18 +20577,26 @@ PARADT__INLINE paradt_status paradt__given_link_all(const paradt__mesh *mesh, si
 // cells and neighbours. facets: these are half-facets. After an error the caller frees the mesh.
 PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const paradt_triangulation *t, int facets,
                                                   paradt__memory *memory, paradt__meter *meter) {
+    enum { PACE = 1 << 16 }; // cells between two looks at whether the call is cancelled
     size_t corners = (size_t)(t->dim + 1), count = t->cell_count, hull = 0, i;
     paradt_status status;
     PARADT_ASSERT(t->dim >= 1 && t->cells && t->neighbors);
     paradt__mesh_begin(mesh, t->dim + 1, 0);
     if (count > paradt__most_cells(mesh->corners)) return PARADT_ERROR_INVALID;
-    for (i = 0; i < count * corners; i++) hull += t->neighbors[i] < 0;
+    for (i = 0; i < count * corners; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        hull += t->neighbors[i] < 0;
+    }
     status = paradt__mesh_reserve(mesh, count + hull, count + hull, memory);
     if (status) return status;
-    mesh->count = count;
-    paradt__mesh_make_pages(mesh, count + hull);
-    memcpy(mesh->vertices, t->cells, count * corners * sizeof *t->cells);
-    memcpy(mesh->links, t->neighbors, count * corners * sizeof *t->neighbors);
+    for (i = 0; i < count; i += PACE) { // rows are copied when their pages have been made
+        size_t end = count - i > PACE ? i + PACE : count, bytes = (end - i) * corners * sizeof *t->cells;
+        if (paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        mesh->count = end;
+        paradt__mesh_make_pages(mesh, end < count ? end : count + hull);
+        memcpy(mesh->vertices + i * corners, t->cells + i * corners, bytes);
+        memcpy(mesh->links + i * corners, t->neighbors + i * corners, bytes);
+    }
     status = corners == 4 ? paradt__given_link_all(mesh, t->point_count, facets, meter, 4)
                           : paradt__given_link_all(mesh, t->point_count, facets, meter, mesh->corners);
     return status ? status : paradt__given_ghosts(mesh, memory);
@@ -23234,21 +23395,27 @@ static void paradt__relation_rewind(paradt__relation *lists, size_t points) {
     lists->first[0] = 0;
 }
 
-// Lists the cells of each point, ascending. INVALID: a vertex is no point. After an error the caller frees the lists.
+// Lists the cells of each point, ascending. INVALID: a vertex is no point. meter: NULL, or asked now and then. After an
+// error the caller frees the lists.
 static paradt_status paradt__relation_of_cells(paradt__relation *lists, const paradt_index *cells, size_t count,
-                                               int corners, size_t points, paradt__memory *memory) {
+                                               int corners, size_t points, paradt__memory *memory,
+                                               paradt__meter *meter) {
     size_t all = count * (size_t)corners, i;
     paradt_status status;
     lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
     if (!lists->first) return PARADT_ERROR_MEMORY;
     memset(lists->first, 0, (points + 1) * sizeof *lists->first);
     for (i = 0; i < all; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
         if ((paradt__tag)cells[i] >= (paradt__tag)points) return PARADT_ERROR_INVALID;
         lists->first[cells[i] + 1]++;
     }
     status = paradt__relation_sum(lists, points, memory);
     if (status) return status;
-    for (i = 0; i < all; i++) lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    for (i = 0; i < all; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    }
     paradt__relation_rewind(lists, points);
     return PARADT_OK;
 }
@@ -23337,7 +23504,7 @@ static paradt_status paradt__adjacency_make(paradt__relation *lists, const parad
     memset(&neighbors, 0, sizeof neighbors);
     paradt__meter_begin(&meter, NULL);
     *count = t->point_count;
-    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory);
+    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory, NULL);
     if (what == PARADT_VERTEX_CELLS) {
         *lists = cells;
         return status;
@@ -23924,7 +24091,7 @@ static paradt_status paradt__locating_help(paradt__locating *work) {
     status = paradt__starts_make(&locator->starts, &points, set->space.ambient, &locator->memory, &work->meter);
     if (!status)
         status = paradt__relation_of_cells(&cells, mesh->vertices, work->t->cell_count, mesh->corners, set->count,
-                                           &locator->memory);
+                                           &locator->memory, &work->meter);
     if (!status)
         status = paradt__relation_of_neighbors(&locator->neighbors, &cells, mesh->vertices, mesh->corners, set->count,
                                                &locator->memory, &work->meter);
@@ -24395,6 +24562,7 @@ typedef struct paradt__opening {
 typedef struct paradt__filling {
     paradt__list points;  // Q, positions: first the link's vertices
     size_t link_count;    // number of these
+    int polygon;          // the link is one, and its vertices and the rim are in order, counterclockwise
     size_t count;         // cells and ghosts that fill the hole
     paradt__list rows;    // [count][corners] vertices
     paradt__list links;   // [count][corners] handles in the filling, or ~ handles in the mesh
@@ -24506,13 +24674,86 @@ PARADT__INLINE paradt_index *paradt__filling_pair(const paradt__filling *f, para
     return f->numbers.items + 2 * at;
 }
 
+// Notes a cell of a polygon: its number `at`, and where in its row the vertex is. Returns 0 for a ghost.
+PARADT__INLINE int paradt__polygon_note(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+                                        paradt_index place, size_t at, int *where) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    const paradt_index base = 3 * place, *row = mesh->vertices + base;
+    if ((row[0] | row[1] | row[2]) < 0) return 0;
+    *where = row[1] == vertex ? 1 : row[2] == vertex ? 2 : 0;
+    build->update.killed[at] = base;
+    build->rim[at] = base + *where;
+    f->points.items[at] = row[(*where + 1) % 3];
+    PARADT__PREFETCH_TO_WRITE(mesh->links + mesh->links[base + *where]);
+    PARADT__PREFETCH(paradt__scene_record(&build->scene, f->points.items[at]));
+    return 1;
+}
+
+// Collects the hole of a vertex in the plane by turning around it both ways, as each step waits for memory: cells, rim
+// and link in order, counterclockwise. There is room for twice as many as there may be. Returns 0 if there are too
+// many, or the vertex is on the hull.
+static int paradt__polygon_turn(paradt__filling *f, paradt__insertion *build, paradt_index vertex, paradt_index cell) {
+    enum { MOST = PARADT__MOST_WRAPPED };
+    const paradt_index *links = build->scene.mesh.links;
+    paradt_index ahead = cell, back = cell;
+    size_t first = MOST, last = MOST, count; // back is number `first`, ahead is number `last`
+    int at, at_back;
+    if (!paradt__polygon_note(f, build, vertex, cell, first, &at)) return 0;
+    for (at_back = at;;) {
+        paradt_index next = links[3 * ahead + (at + 1) % 3] / 3, before = links[3 * back + (at_back + 2) % 3] / 3;
+        paradt__fetch_row(build->scene.mesh.vertices, links, (size_t)next, 3);
+        paradt__fetch_row(build->scene.mesh.vertices, links, (size_t)before, 3);
+        if (next == back) break;
+        if (last - first + 3 > MOST || !paradt__polygon_note(f, build, vertex, next, ++last, &at)) return 0;
+        if (next == before) break;
+        if (!paradt__polygon_note(f, build, vertex, before, --first, &at_back)) return 0;
+        ahead = next;
+        back = before;
+    }
+    count = last - first + 1;
+    memmove(build->update.killed, build->update.killed + first, count * sizeof(paradt_index));
+    memmove(build->rim, build->rim + first, count * sizeof(paradt_index));
+    memmove(f->points.items, f->points.items + first, count * sizeof(paradt_index));
+    build->update.killed_count = build->rim_count = f->points.count = f->link_count = count;
+    return 1;
+}
+
+// Gives the link's vertices the numbers that they have where the link has not been collected in order.
+static paradt_status paradt__filling_number(paradt__filling *f, paradt__memory *memory) {
+    size_t i;
+    paradt_status status = paradt__filling_number_room(f, f->link_count, memory);
+    for (i = 0; i < f->link_count && !status; i++) {
+        paradt_index *pair = paradt__filling_pair(f, f->points.items[i]);
+        pair[0] = f->points.items[i];
+        pair[1] = (paradt_index)i;
+    }
+    return status;
+}
+
+// Turns around a vertex if it can be done.
+static paradt_status paradt__filling_polygon(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+                                             paradt_index cell) {
+    enum { ROOM = 2 * PARADT__MOST_WRAPPED };
+    paradt__update *update = &build->update;
+    paradt_status status;
+    f->polygon = 0;
+    if (build->scene.mesh.corners != 3) return PARADT_OK;
+    status = paradt__list_room(&update->killed, 0, &update->killed_capacity, ROOM, build->memory);
+    if (!status) status = paradt__list_room(&build->rim, 0, &build->rim_capacity, ROOM, build->memory);
+    if (!status) status = paradt__list_room(&f->points.items, 0, &f->points.capacity, ROOM, build->memory);
+    if (!status) f->polygon = paradt__polygon_turn(f, build, vertex, cell);
+    return status;
+}
+
 // Collects the hole of a vertex: its cells and ghosts, its rim, and the vertices of the link.
 static paradt_status paradt__filling_star(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
                                           paradt_index cell) {
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt_index corners = mesh->corners, i;
     size_t most, at;
-    paradt_status status = paradt__filling_cells(build, vertex, cell);
+    paradt_status status = paradt__filling_polygon(f, build, vertex, cell);
+    if (status || f->polygon) return status;
+    status = paradt__filling_cells(build, vertex, cell);
     if (status) return status;
     most = build->update.killed_count + (size_t)corners; // as a cell has at most one vertex that cells before lack
     status = paradt__filling_number_room(f, most, build->memory);
@@ -24744,8 +24985,8 @@ static paradt_status paradt__wrap_cell(paradt__filling *f, size_t opening, int a
 // ---------------------------------------------------------------------------------------------------------------------
 // >>filling holes
 //
-// Holes of vertices are filled: in any dimension by exact predicates alone, in space faster, and with many points by
-// their triangulation.
+// Holes of vertices are filled: in any dimension by exact predicates alone, in space and in the plane faster, and with
+// many points by their triangulation.
 //
 // In space, where spheres are kept, floating point proposes the point for a facet and proves that it is right. Among
 // the spheres through a facet the power of a point changes by a multiple of its height over the facet; of all points at
@@ -24973,16 +25214,17 @@ static paradt_status paradt__wrap(paradt__filling *f, paradt__insertion *build, 
     paradt_status status = paradt__wrap_begin(f, build);
 #if PARADT_MAX_DIM >= 3
     const paradt__wrap_kernels kernels = paradt__choose_wrap_kernels();
-    if (!status && build->kept) paradt__wrap_centre(f, paradt__scene_record(scene, vertex));
+    const int spheres = build->kept && !scene->space.weighted;
+    if (!status && spheres) paradt__wrap_centre(f, paradt__scene_record(scene, vertex));
 #endif
     (void)vertex;
     for (at = 0; at < f->opening_count && !status; at++) {
         if (f->openings[at].closed || f->openings[at].mask >> PARADT__INFINITE_BIT) continue;
 #if PARADT_MAX_DIM >= 3
-        if (build->kept) status = paradt__wrap_sphere_room(f, build->memory);
+        if (spheres) status = paradt__wrap_sphere_room(f, build->memory);
         if (status) break;
-        apex = build->kept ? paradt__wrap_apex_in_space(f, scene, f->openings + at, &kernels)
-                           : paradt__wrap_apex(f, scene, f->openings + at);
+        apex = spheres ? paradt__wrap_apex_in_space(f, scene, f->openings + at, &kernels)
+                       : paradt__wrap_apex(f, scene, f->openings + at);
 #else
         apex = paradt__wrap_apex(f, scene, f->openings + at);
 #endif
@@ -25126,10 +25368,84 @@ static paradt_status paradt__fill_by_insertion(paradt__filling *f, const paradt_
     return status;
 }
 
+// --- polygons
+
+// A part of the polygon that is not filled yet: a chain of its vertices, and the edge from the last to the first
+typedef struct paradt__chain {
+    int first, last;
+    paradt_index behind; // mirror of that edge: a handle in the filling, or ~ a handle in the mesh
+} paradt__chain;
+
+// Returns the vertex that makes a cell with the edge of a chain: as paradt__wrap_apex, but among the chain's vertices
+// alone, for the cell is in that part of the polygon. A single one needs no test.
+static int paradt__chain_apex(const paradt__filling *f, paradt__scene *scene, const paradt__chain *chain) {
+    const double *p[4];
+    int best = chain->first + 1, i;
+    if (chain->last - chain->first == 2) return best;
+    p[0] = f->record[chain->first];
+    p[2] = f->record[chain->last];
+    for (;; best++) {
+        p[1] = f->record[best];
+        if (best + 1 == chain->last || paradt__orient(&scene->space, p) > 0) break;
+    }
+    for (i = best + 1; i < chain->last; i++) {
+        p[3] = f->record[i];
+        if (!paradt__conflict(&scene->space, p)) continue;
+        best = i;
+        p[1] = p[3];
+    }
+    return best;
+}
+
+// Ties one of the two edges that a new cell opens: to the rim, or to the cell to come.
+static void paradt__chain_open(paradt__filling *f, const paradt__insertion *build, paradt__chain *stack, int *count,
+                               int first, int last, paradt_index handle) {
+    paradt__chain *chain = stack + *count;
+    if (last - first == 1) {
+        f->links.items[handle] = ~build->scene.mesh.links[build->rim[first]];
+        return;
+    }
+    chain->first = first;
+    chain->last = last;
+    chain->behind = handle;
+    ++*count;
+}
+
+// Fills a hole in the plane whose link is a polygon without other points: a cell on an edge divides what is left.
+static paradt_status paradt__fill_polygon(paradt__filling *f, paradt__insertion *build) {
+    paradt__scene *scene = &build->scene;
+    paradt__chain stack[PARADT__MOST_WRAPPED];
+    int corners = (int)f->points.count, count = 1, i;
+    paradt_status status;
+    f->count = 0;
+    status = paradt__filling_room(f, (size_t)corners, 3, build->memory);
+    if (status) return status;
+    for (i = 0; i < corners; i++) f->record[i] = paradt__scene_record(scene, f->points.items[i]);
+    stack[0].first = 0;
+    stack[0].last = corners - 1;
+    stack[0].behind = ~scene->mesh.links[build->rim[corners - 1]];
+    while (count) {
+        const paradt__chain chain = stack[--count];
+        const int apex = paradt__chain_apex(f, scene, &chain);
+        const paradt_index base = 3 * (paradt_index)f->count++;
+        f->rows.items[base] = f->points.items[chain.first];
+        f->rows.items[base + 1] = f->points.items[apex];
+        f->rows.items[base + 2] = f->points.items[chain.last];
+        f->links.items[base + 1] = chain.behind;
+        if (chain.behind >= 0) f->links.items[chain.behind] = base + 1;
+        paradt__chain_open(f, build, stack, &count, chain.first, apex, base + 2);
+        paradt__chain_open(f, build, stack, &count, apex, chain.last, base);
+    }
+    return PARADT_OK;
+}
+
 // Makes the filling of the hole of a vertex, which has been collected; the mesh is left as it is.
 static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
+    paradt_status status = PARADT_OK;
+    if (f->polygon && f->points.count == f->link_count) return paradt__fill_polygon(f, build);
     if (f->points.count > PARADT__MOST_WRAPPED) return paradt__fill_by_insertion(f, build, vertex);
-    return paradt__wrap(f, build, vertex);
+    if (f->polygon) status = paradt__filling_number(f, build->memory);
+    return status ? status : paradt__wrap(f, build, vertex);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -25259,6 +25575,8 @@ static paradt_status paradt__past_room(paradt__past *past, const paradt__mesh *m
 #ifndef PARADT_NO_FLIPS
     if (past->method == PARADT_FLIP) status = paradt__flips_room(&past->flips, mesh, made, memory);
 #endif
+    (void)mesh;
+    (void)made;
     if (status) return status;
     return paradt__list_room(&past->killed.items, past->killed.count, &past->killed.capacity,
                              past->killed.count + killed, memory);
@@ -25528,6 +25846,13 @@ static paradt_status paradt__living_position_room(paradt_dynamic *d, size_t coun
     }
     d->position_room = room;
     return PARADT_OK;
+}
+
+// Makes room for the numbers that kept spheres give to so many positions: a hidden one, too, may be a vertex later.
+PARADT__INLINE paradt_status paradt__living_number_room(paradt_dynamic *d, size_t count) {
+    const paradt__kept *kept = d->build.kept;
+    if (!kept || PARADT__LIKELY(count < kept->numbers)) return PARADT_OK;
+    return paradt__kept_more_numbers(&d->build, count + count / 8 + 64) ? PARADT_OK : PARADT_ERROR_MEMORY;
 }
 
 // Makes the columns of the heap, once there are points at one place.
@@ -26437,7 +26762,7 @@ static paradt_status paradt__living_find(paradt_dynamic *d, const double *record
         if (status || (*cell != PARADT__NOWHERE && (!d->weighted || d->past.method == PARADT_FLIP))) return status;
     }
     if (*cell == PARADT__NOWHERE) *cell = from < 0 ? paradt__living_start(d, record, hint) : from;
-    if (PARADT_MAX_DIM >= 3 && d->build.kept && d->past.method == PARADT_AUTO)
+    if (PARADT_MAX_DIM >= 3 && d->build.kept && !d->weighted && d->past.method == PARADT_AUTO)
         *cell = paradt__living_reach(d, *cell, record, fresh);
     else *cell = paradt__walk(scene, *cell, record);
     return PARADT_OK;
@@ -26464,6 +26789,7 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
     if (position != PARADT__NOWHERE) return paradt__living_join(d, id, position);
     status = paradt__living_position_room(d, d->now.positions + 1);
+    if (!status) status = paradt__living_number_room(d, d->now.positions + 1);
     if (!status) status = paradt__living_write_room(d);
     if (!status) status = paradt__living_log_room(d, 4);
     if (!status) status = paradt__alike_room(d);
@@ -26797,12 +27123,9 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
         status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
                                    &d->memory);
     d->build.count = d->now.vertices < KEPT_FOR ? d->now.vertices : (size_t)KEPT_FOR;
-    if (!status && PARADT__IS(d->dim, 3) && !d->weighted && d->past.method != PARADT_FLIP)
-        status = paradt__kept_begin(&d->build);
+    if (!status && PARADT__IS(d->dim, 3) && d->past.method != PARADT_FLIP) status = paradt__kept_begin(&d->build);
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
-    if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers &&
-        !paradt__kept_more_numbers(&d->build, d->now.positions + 1))
-        status = PARADT_ERROR_MEMORY;
+    if (!status) status = paradt__living_number_room(d, d->now.positions);
     d->build.count = d->now.vertices;
     return status;
 }
@@ -27054,6 +27377,7 @@ static paradt_status paradt__change_check_ids(paradt_dynamic *d, const paradt__c
     if (change->count && !change->ids) return paradt__change_fault(d, "ids is NULL");
     for (i = 0; i < change->count; i++) {
         paradt_index id = change->ids[i];
+        if (paradt__meter_stops(&d->meter, i)) return PARADT_ERROR_CANCELLED;
         if (id < 0 || (size_t)id >= d->now.ids || paradt__living_get(d, PARADT__POSITION, id) < 0)
             return paradt__change_fault(d, "an id is out of range or free");
     }
@@ -27086,6 +27410,7 @@ static paradt_status paradt__change_read(paradt_dynamic *d, paradt__change *chan
     source = paradt__source_of(change->points);
     for (i = 0; i < change->count; i++) {
         double *to = change->records + i * width;
+        if (paradt__meter_stops(&d->meter, i)) return PARADT_ERROR_CANCELLED;
         if (paradt__read_record(&source, i, record) == 2047) {
             d->error_point = i;
             return PARADT_ERROR_NOT_FINITE;
@@ -27122,7 +27447,21 @@ static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *c
     paradt__curve_begin(&curve, d->ambient, paradt__levels_for(SIZE_MAX, d->ambient), space->low, space->high,
                         change->count);
     paradt__curve_sort(&curve, change->records, (size_t)d->ambient + (size_t)d->weighted, change->order, other,
-                       change->count);
+                       change->count, NULL);
+}
+
+// Prefetches what removals soon after the i-th one begin with: first a cell of the vertex, then its row.
+PARADT__INLINE void paradt__change_fetch(const paradt_dynamic *d, const paradt__change *change, size_t i) {
+    enum { SOON = 4, LATER = 8 };
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    if (d->dim < 1 || i + LATER >= change->count) return;
+    PARADT__FETCH(d->column[PARADT__CELL],
+                  paradt__living_get(d, PARADT__POSITION, change->number[change->order[i + LATER].item]));
+    paradt__fetch_row(
+        mesh->vertices, mesh->links,
+        (size_t)paradt__living_get(
+            d, PARADT__CELL, paradt__living_get(d, PARADT__POSITION, change->number[change->order[i + SOON].item])),
+        (size_t)mesh->corners);
 }
 
 // Does a change, point by point.
@@ -27136,6 +27475,7 @@ static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *
         size_t at = (size_t)change->order[i].item;
         paradt_index id = change->number[at];
         const double *record = change->records ? change->records + at * width : NULL;
+        if (change->kind == PARADT__REMOVAL) paradt__change_fetch(d, change, i);
         if (i % PACE == PACE - 1 && paradt__progress_cancels(&progress, (double)i / (double)change->count))
             return PARADT_ERROR_CANCELLED;
         switch (change->kind) {
@@ -27184,38 +27524,49 @@ static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *chang
     return status;
 }
 
+enum { PARADT__SMALL_CHANGE = 1 << 12 }; // so many points are read and sorted in a millisecond
+
 // Checks a change and does it.
 static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *change) {
     size_t width = (size_t)d->ambient + (size_t)d->weighted, count = change->count;
     paradt__memory *memory = &d->memory;
-    paradt__keyed *other;
+    paradt__keyed *other, keys[2];
+    paradt_index number;
+    double record[PARADT_MAX_DIM + 1];
     paradt_status status = PARADT_OK;
+    const int one = count == 1; // takes no memory here
     d->error_point = 0;
     d->error_text = NULL;
+    paradt__meter_begin(&d->meter, &d->options);
     if (change->kind != PARADT__INSERTION && d->past.method != PARADT_AUTO)
         return paradt__change_fault(d,
                                     "a set with options.method PARADT_FLIP or PARADT_DELAUNAY_TREE has insertion only");
     if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
+    if (status == PARADT_ERROR_CANCELLED) d->error_text = paradt_status_string(status);
     if (status) return status;
-    change->number = (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
-    change->order = (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
-    other = (paradt__keyed *)paradt__alloc(memory, count, sizeof *other);
+    change->number = one ? &number : (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
+    change->order = one ? keys : (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
+    other = one ? keys + 1 : (paradt__keyed *)paradt__alloc(memory, count, sizeof *other);
     if (change->kind != PARADT__REMOVAL)
-        change->records = (double *)paradt__alloc(memory, count, width * sizeof(double));
+        change->records = one ? record : (double *)paradt__alloc(memory, count, width * sizeof(double));
     if (!change->number || !change->order || !other || (!change->records && change->kind != PARADT__REMOVAL))
         status = PARADT_ERROR_MEMORY;
     if (!status && change->kind != PARADT__REMOVAL) status = paradt__change_read(d, change);
     if (!status) {
         if (change->kind != PARADT__INSERTION && count)
             memcpy(change->number, change->ids, count * sizeof *change->number);
-        paradt__change_sort(d, change, other);
-        status = paradt__change_run(d, change);
+        if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status) paradt__change_sort(d, change, other);
+        if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status) status = paradt__change_run(d, change);
     }
     if (!status && change->new_ids && count) memcpy(change->new_ids, change->number, count * sizeof *change->number);
-    paradt__release(memory, change->number);
-    paradt__release(memory, change->order);
-    paradt__release(memory, other);
-    paradt__release(memory, change->records);
+    if (!one) {
+        paradt__release(memory, change->number);
+        paradt__release(memory, change->order);
+        paradt__release(memory, other);
+        paradt__release(memory, change->records);
+    }
     if (status && !d->error_text) d->error_text = paradt_status_string(status);
     return status;
 }
@@ -27470,13 +27821,15 @@ PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const do
 // --- export
 
 // Fills the rows of cells. number: [places] the number of each cell
-static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out, const paradt_index *number) {
+static paradt_status paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out,
+                                          const paradt_index *number, paradt__meter *meter) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     const paradt_index *owner = d->column[PARADT__OWNER];
     size_t corners = (size_t)mesh->corners, i, j;
     for (i = 0; i < mesh->count; i++) {
         paradt_index *cell = out->cells + (size_t)number[i] * corners;
         paradt_index *links = out->neighbors + (size_t)number[i] * corners;
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
         if (number[i] < 0) continue;
         for (j = 0; j < corners; j++) {
             paradt_index other = number[paradt__mesh_cell(mesh, mesh->links[i * corners + j])];
@@ -27485,36 +27838,48 @@ static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *
             out->stats.hull_facets += other < 0;
         }
     }
+    return PARADT_OK;
 }
 
 PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = d->dim > 0 ? (size_t)mesh->corners : 1, places = d->dim > 0 ? mesh->count : 0, i;
     paradt__memory memory;
+    paradt__meter meter;
     paradt_index *number, count = 0;
+    paradt_status status = PARADT_OK;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
     out->dim = -1;
     paradt__memory_begin(&memory, &d->options);
+    paradt__meter_begin(&meter, &d->options);
     out->allocator = memory.allocator;
     number = (paradt_index *)paradt__alloc(&memory, places, sizeof *number);
     out->cells = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
     if (d->dim > 0)
         out->neighbors = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
     out->representative = (paradt_index *)paradt__alloc(&memory, d->now.ids, sizeof(paradt_index));
-    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) {
-        paradt__release(&memory, number);
-        paradt__withdraw(out, PARADT_ERROR_MEMORY, -1);
-        return PARADT_ERROR_MEMORY;
-    }
-    for (i = 0; i < places; i++)
+    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < places && !status; i++) {
+        if (paradt__meter_stops(&meter, i)) status = PARADT_ERROR_CANCELLED;
         number[i] = paradt__is_finite_cell(mesh->vertices + i * corners, mesh->corners) ? count++ : -1;
+    }
+    if (!status && d->dim > 0) status = paradt__export_cells(d, out, number, &meter);
+    else if (!status && d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
+    for (i = 0; i < d->now.ids && !status; i++) {
+        if (paradt__meter_stops(&meter, i)) status = PARADT_ERROR_CANCELLED;
+        out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
+    }
+    meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&meter)) status = PARADT_ERROR_CANCELLED;
+    if (status) {
+        paradt__release(&memory, number);
+        paradt__withdraw(out, status, -1);
+        return status;
+    }
     out->dim = d->dim;
     out->cell_count = d->now.cells;
-    if (d->dim > 0) paradt__export_cells(d, out, number);
-    else if (d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
     out->point_count = d->now.ids;
-    for (i = 0; i < d->now.ids; i++) out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
     out->stats.cells = out->cell_count;
     out->stats.hidden = d->now.hidden;
     out->stats.duplicates = d->now.points - d->now.vertices - d->now.hidden;
@@ -27793,6 +28158,7 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     paradt__keyed *keyed = (paradt__keyed *)paradt__alloc_filled(g->memory, 2 * n, sizeof *keyed);
     double *records = (double *)paradt__alloc_filled(g->memory, n + 1, width * sizeof *records);
     paradt__curve curve;
+    paradt_status status;
     set->origin = (paradt_index *)paradt__alloc_filled(g->memory, n, sizeof *set->origin);
     if (!keyed || !records || !set->origin) {
         paradt__release(g->memory, keyed);
@@ -27801,8 +28167,9 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     }
     for (i = 0; i < n; i++) keyed[i].item = (paradt_index)i;
     paradt__curve_begin(&curve, g->d, paradt__levels_for(n, g->d), set->space.low, set->space.high, n);
-    paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n);
-    for (i = 0; i < n; i++) {
+    status = paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n, g->meter);
+    for (i = 0; i < n && !status; i++) {
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         PARADT__FETCH(set->records, (size_t)keyed[i + 16 < n ? i + 16 : i].item * width);
         set->origin[i] = keyed[i].item;
         to[keyed[i].item] = (paradt_index)i;
@@ -27811,7 +28178,7 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     paradt__release(g->memory, set->records);
     paradt__release(g->memory, keyed);
     set->records = records;
-    return PARADT_OK;
+    return status;
 }
 
 // The least vertex of a cell
@@ -27823,20 +28190,25 @@ PARADT__INLINE paradt_index paradt__diagram_least(const paradt_index *vertices, 
 }
 
 // Finds where cells come, whose vertices are positions. to: [cells]; first: [set.count + 1] scratch
-PARADT__INLINE void paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh, paradt_index *to,
-                                               paradt_index *first, int corners) {
+PARADT__INLINE paradt_status paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh,
+                                                        paradt_index *to, paradt_index *first, int corners) {
     size_t cell, i;
     memset(first, 0, (g->set.count + 1) * sizeof *first);
-    for (cell = 0; cell < g->cells; cell++)
+    for (cell = 0; cell < g->cells; cell++) {
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners) + 1]++;
+    }
     for (i = 0; i < g->set.count; i++) first[i + 1] += first[i];
-    for (cell = 0; cell < g->cells; cell++)
+    for (cell = 0; cell < g->cells; cell++) {
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         to[cell] = first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners)]++;
+    }
+    return PARADT_OK;
 }
 
 // Fills the rows of cells in order. to: NULL: they stay where they are
-PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh, const paradt_index *to,
-                                         int corners) {
+PARADT__INLINE paradt_status paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh,
+                                                  const paradt_index *to, int corners) {
     enum { AHEAD = 8 };
     const size_t bytes = PARADT__ROW_BYTES(corners - 1);
     size_t cell;
@@ -27844,6 +28216,7 @@ PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt_
     for (cell = 0; cell < g->cells; cell++) {
         size_t base = cell * (size_t)corners;
         paradt_index *row = paradt__row_vertices(g, to ? (size_t)to[cell] : cell, bytes);
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         if (to && cell + 2 * AHEAD < g->cells) {
             for (j = 0; j < corners; j++) {
                 paradt_index link = mesh->links[base + (size_t)(2 * AHEAD * corners + j)] / corners;
@@ -27858,6 +28231,7 @@ PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt_
             else row[corners + j] = to ? to[other] * corners + (link - other * corners) : link;
         }
     }
+    return PARADT_OK;
 }
 
 // Makes the rows of a triangulation that is as wide as space: sorts points and cells, and marks the points of the hull.
@@ -27871,14 +28245,18 @@ PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const
         to = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *to);
         status = scratch && to ? paradt__diagram_sort_points(g, scratch) : PARADT_ERROR_MEMORY;
         for (i = 0; i < mesh->count * corners && !status; i++) {
-            if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
+            if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
+            else if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
         }
-        if (!status && corners == 4) paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
-        else if (!status) paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
+        if (!status && corners == 4) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
+        else if (!status) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
     }
-    if (!status && corners == 4) paradt__diagram_fill(g, mesh, to, 4);
-    else if (!status) paradt__diagram_fill(g, mesh, to, 3);
-    for (i = 0; i < g->cells * corners && !status; i++) g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    if (!status && corners == 4) status = paradt__diagram_fill(g, mesh, to, 4);
+    else if (!status) status = paradt__diagram_fill(g, mesh, to, 3);
+    for (i = 0; i < g->cells * corners && !status; i++) {
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
+        g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    }
     for (; i < mesh->count * corners && !status; i++) { // ghosts
         if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
     }
@@ -27889,13 +28267,18 @@ PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const
 
 // Makes the rows, and finds which points are vertices. kind has been cleared.
 static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh *mesh) {
-    enum { LINE = 64 }; // bytes
+    enum { LINE = 64, PACE = 1 << 16 }; // bytes; cells whose pages are made at once
     size_t corners = (size_t)mesh->corners, cell, j;
     g->centred = g->k == g->d && g->d <= 3;
     g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : corners * sizeof(paradt_index);
     if (g->cells > (SIZE_MAX / 2 - LINE) / g->row_bytes) return PARADT_ERROR_MEMORY;
-    g->rows_block = (char *)paradt__alloc_filled(g->memory, g->cells * g->row_bytes + LINE, 1);
+    g->rows_block = (char *)paradt__alloc(g->memory, g->cells * g->row_bytes + LINE, 1);
     if (!g->rows_block) return PARADT_ERROR_MEMORY;
+    for (cell = 0; cell < g->cells; cell += PACE) {
+        size_t end = g->cells - cell > PACE ? cell + PACE : g->cells;
+        if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
+        paradt__make_pages(g->rows_block, cell * g->row_bytes, end * g->row_bytes);
+    }
     g->rows = g->rows_block + (LINE - (uintptr_t)g->rows_block % LINE) % LINE;
     if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
     if (g->centred) return paradt__diagram_rows_centred(g, mesh);
@@ -30062,11 +30445,12 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
     for (i = 0; i < g->cells && !status; i++) {
         const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
         int any = 0;
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         for (j = 0; j < corners; j++) {
             paradt_index of = slot[row[j]];
             if (of >= 0) clipping->first[of + 1]++, any = 1;
         }
-        if (any) status = paradt__list_append(&cells, (paradt_index)i, g->memory);
+        if (any && !status) status = paradt__list_append(&cells, (paradt_index)i, g->memory);
     }
     for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
     if (!status) {
@@ -30076,6 +30460,7 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
     }
     for (i = 0; i < cells.count && !status; i++) {
         const paradt_index *row = paradt__row_vertices(g, (size_t)cells.items[i], g->row_bytes);
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         for (j = 0; j < corners; j++) {
             paradt_index of = slot[row[j]];
             if (of >= 0) clipping->around[clipping->first[of]++] = cells.items[i];
@@ -30410,6 +30795,7 @@ PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, para
     if (status) return status;
     for (i = 0; i < n; i++) out->unbounded[paradt__voronoi_index(g, i)] = work->unbounded[i];
     for (i = 0; i < n && work->tally.sums; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
         const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
         size_t to = paradt__voronoi_index(g, i);
         int infinite = work->unbounded[i];
@@ -30442,16 +30828,20 @@ PARADT__HOT paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, 
     next = (size_t *)paradt__voronoi_array(work, n, sizeof *next, &status); // by position
     if (!status) {
         memset(next, 0, n * sizeof *next);
-        for (i = 0; i < 2 * out->face_count; i++)
+        for (i = 0; i < 2 * out->face_count && !status; i++) {
+            if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
             if (out->sides[i] >= 0) next[out->sides[i]]++;
+        }
         out->first_face[0] = 0;
         for (i = 0; i < n; i++) out->first_face[paradt__voronoi_index(g, i) + 1] = next[i];
         for (i = 0; i < n; i++) out->first_face[i + 1] += out->first_face[i];
         for (i = 0; i < n; i++) next[i] = out->first_face[paradt__voronoi_index(g, i)];
         out->faces = (paradt_index *)paradt__voronoi_array(work, out->first_face[n], sizeof *out->faces, &status);
     }
-    for (i = 0; i < 2 * out->face_count && !status; i++)
+    for (i = 0; i < 2 * out->face_count && !status; i++) {
+        if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
         if (out->sides[i] >= 0) out->faces[next[out->sides[i]]++] = (paradt_index)(i / 2);
+    }
     paradt__release(&work->memory, next);
     return status;
 }
@@ -30470,8 +30860,10 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     list->sides = NULL;
     list->areas = list->centroids = list->normals = NULL;
     status = paradt__voronoi_incidence(work, out);
-    for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
+    for (i = 0; i < 2 * out->face_count && g->set.origin && !status; i++) {
+        if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
         if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
+    }
     for (i = 0; i < out->face_count && out->areas; i++) {
         double area = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
         out->areas[i] = area >= 0 ? area : area < 0 ? 0 : HUGE_VAL; // rounded below 0; of vertices beyond all doubles
@@ -30539,7 +30931,10 @@ PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__
     n->same = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->same);
     n->number = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->number);
     if (!n->same || !n->number) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < g->cells; i++) n->same[i] = (paradt_index)i, n->number[i] = -1;
+    for (i = 0; i < g->cells; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
+        n->same[i] = (paradt_index)i, n->number[i] = -1;
+    }
     for (i = 0; i < g->cells * corners; i++) {
         paradt_index cell = (paradt_index)(i / corners), a, b;
         paradt_index link = paradt__row_vertices(g, i / corners, g->row_bytes)[corners + i % corners];
@@ -30554,7 +30949,10 @@ PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__
         if (a < b) n->same[b] = a;
         else n->same[a] = b;
     }
-    for (i = 0; i < g->cells; i++) n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    for (i = 0; i < g->cells; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
+        n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    }
     return PARADT_OK;
 }
 
@@ -30662,6 +31060,7 @@ static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__vo
     out->vertices = (double *)paradt__voronoi_array(work, n->of.count * d, sizeof(double), &status);
     if (status) return status;
     for (i = 0; i < n->of.count; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
         paradt_index of = n->of.items[i];
         const double *x = of >= 0 ? paradt__centre_of(g, of, g->d) : work->corners.places + (size_t)(-2 - of) * d;
         for (j = 0; j < d; j++) {
@@ -30680,6 +31079,7 @@ PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, p
     memset(&n, 0, sizeof n);
     status = paradt__numbering_cells(&n, work);
     if (!status) status = paradt__numbering_places(&n, work);
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     out->first_vertex = (size_t *)paradt__voronoi_array(work, work->list.count + 1, sizeof(size_t), &status);
     if (!status) out->first_vertex[0] = 0;
     for (i = 0; i < work->list.count && !status; i++) {
@@ -30725,6 +31125,7 @@ PARADT__HOT paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const 
         team = paradt__voronoi_team(work, PARADT__VORONOI_FACES);
         if (!status)
             status = paradt__faces_make(g, &team, work->wants, &work->tally, work->wants & faces ? &work->list : NULL);
+        if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     }
     if (!status) status = paradt__voronoi_clip(work);
     if (!status) status = paradt__voronoi_cells(work, out);
@@ -30871,6 +31272,7 @@ PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const parad
 // paradt__check_is_odd.
 
 enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
+enum { PARADT__CHECK_LOOK = 1 << 17 }; // ... and of a plain loop
 
 // The phases of the check in their order: name, part of the work that is done when the phase begins
 #define PARADT__CHECK_PHASES(X)                                                                                        \
@@ -31476,18 +31878,24 @@ static size_t paradt__check_list(const paradt__check *check, paradt__check_key *
 }
 
 // Sorts by key, in passes by one digit from the lowest. The number of passes is even, so the result is in `keys` again.
-static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other, size_t count) {
+static paradt_status paradt__check_sort(const paradt__check *check, paradt__check_key *keys, paradt__check_key *other,
+                                        size_t count) {
     int digit;
     for (digit = 0; digit < PARADT__CHECK_DIGITS; digit++) {
         size_t starts[(1 << PARADT__CHECK_DIGIT) + 1] = {0}, i, mask = (1 << PARADT__CHECK_DIGIT) - 1;
         int shift = digit * PARADT__CHECK_DIGIT;
         paradt__check_key *swap = keys;
+        if (paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
         for (i = 0; i < count; i++) starts[(keys[i].key >> shift & mask) + 1]++;
         for (i = 0; i < mask; i++) starts[i + 1] += starts[i];
-        for (i = 0; i < count; i++) other[starts[keys[i].key >> shift & mask]++] = keys[i];
+        for (i = 0; i < count; i++) {
+            if (i % PARADT__CHECK_LOOK == 0 && paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
+            other[starts[keys[i].key >> shift & mask]++] = keys[i];
+        }
         keys = other;
         other = swap;
     }
+    return PARADT_OK;
 }
 
 // Condition (8) for one point: walks from *cell, across facets that have the point beyond them, to a cell that contains
@@ -31520,7 +31928,7 @@ static paradt_status paradt__check_hidden(paradt__check *check) {
     keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
     if (!keys) return PARADT_ERROR_MEMORY;
     n = paradt__check_list(check, keys);
-    paradt__check_sort(keys, keys + n, n);
+    status = paradt__check_sort(check, keys, keys + n, n);
     for (i = 0; i < n && !status; i++) {
         paradt_index point = keys[i].point;
         status = paradt__check_pace(check, i, n);
@@ -31766,7 +32174,7 @@ static paradt_status paradt__proof_points(paradt__check *check) {
     keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
     if (!keys) return PARADT_ERROR_MEMORY;
     n = paradt__check_list(check, keys);
-    paradt__check_sort(keys, keys + n, n);
+    status = paradt__check_sort(check, keys, keys + n, n);
     for (i = 0; i < n && !status; i++) {
         status = paradt__check_pace(check, i, n);
         if (check->cell_of[keys[i].point] >= 0) facet = check->cell_of[keys[i].point];
@@ -31785,6 +32193,7 @@ static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
     paradt__list stack = {NULL, 0, 0};
     paradt_status status = PARADT_OK;
     for (i = 0; i < check->set.count; i++) vertices += check->cell_of[i] >= 0;
+    if (paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
     if (hull->vertex_count != vertices || hull->extreme_count > vertices)
         return paradt__check_fail(check, "vertex_count is not the number of vertices", -1, -1);
     for (i = 0; i < vertices; i++) {
@@ -31797,7 +32206,8 @@ static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
     if (!flood) return PARADT_ERROR_MEMORY;
     for (i = 0; i < count; i++) flood[i] = -1;
     for (i = 0; i < count && !status; i++) { // each number names one set of facets that flat ridges connect
-        if (flood[i] >= 0) continue;
+        status = paradt__check_pace(check, i, count);
+        if (flood[i] >= 0 || status) continue;
         if (hull->plane[i] < 0 || (size_t)hull->plane[i] >= hull->plane_count || planes++ == hull->plane_count)
             status = paradt__check_fail(check, "the number of a plane is out of range", (paradt_index)i, -1);
         flood[i] = 0;

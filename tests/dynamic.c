@@ -613,7 +613,7 @@ static paradt_status change_once(game *g, int kind, const double *x, const doubl
 
 // state: family
 static void failing_allocations_leave_the_set(void **state) {
-    int f = (int)(intptr_t)*state;
+    int f = (int)(intptr_t)*state, failed_of_one = 0;
     for (int dim = 2; dim <= 4; dim++)
         for (int w = 0; w < 3; w++)
             for (int run = 0; run < 6 + 2 * (WAYS - 1); run++) { // one point or some: inserted, moved, removed; inserted
@@ -650,7 +650,8 @@ static void failing_allocations_leave_the_set(void **state) {
                     if (at % 3 == 1 || at < 12)
                         expect_canonical(g.d, &g.s, pool.name);
                 }
-                assert_true(failed > 0);
+                assert_true(failed > 0 || n == 1); // what one point takes may be there
+                failed_of_one += n == 1 ? failed : 0;
                 for (int i = 0; i < n; i++)
                     if (kind % 3 < 2)
                         shadow_put(&g.s, ids[i], x + i * dim, weight[i]);
@@ -664,6 +665,7 @@ static void failing_allocations_leave_the_set(void **state) {
                 assert_int_equal(memory.live, 0);
                 sample_free(&pool);
             }
+    assert_true(failed_of_one > 0);
 }
 
 // Creating either works or leaves nothing behind.
