@@ -2,9 +2,7 @@
 // repaired, and what the certificate says. The output must be the same when it is built with flags, or run in modes, that break careless floating-point code.
 // Usage: hashes FILE SHARE [MODE...]
 //   SHARE            -1: prints all lines; 0 to 6: every seventh line, beginning with this one
-//   up, down, zero   the rounding mode
-//   ftz              subnormal results and operands are zeros (SSE)
-//   single, double   the precision of x87 registers
+//   MODE             see modes.h
 #ifndef HASHES_LINKED // else the implementation is in another object
 #define PARADT_IMPLEMENTATION
 #define PARADT_NO_LOCATOR // not called here, and compiled with many sets of flags
@@ -13,51 +11,7 @@
 #endif
 #include "paradt.h"
 
-#include <fenv.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#if defined(__SSE__) && !defined(__TINYC__)
-#include <xmmintrin.h>
-#endif
-
-static void enter(const char *mode) {
-#ifdef FE_UPWARD
-    if (!strcmp(mode, "up"))
-        fesetround(FE_UPWARD);
-    else if (!strcmp(mode, "down"))
-        fesetround(FE_DOWNWARD);
-    else if (!strcmp(mode, "zero"))
-        fesetround(FE_TOWARDZERO);
-    else
-#endif
-#if defined(__SSE__) && !defined(__TINYC__)
-    if (!strcmp(mode, "ftz"))
-        _mm_setcsr(_mm_getcsr() | 0x8040u);
-    else
-#endif
-#if defined(__i386__) && !defined(__TINYC__)
-    if (!strcmp(mode, "single") || !strcmp(mode, "double")) {
-        unsigned short control;
-        __asm__ volatile("fnstcw %0" : "=m"(control));
-        control = (unsigned short)((control & ~0x300u) | (mode[0] == 'd' ? 0x200u : 0u));
-        __asm__ volatile("fldcw %0" : : "m"(control));
-    } else
-#endif
-    {
-        fprintf(stderr, "hashes: this build has no mode %s\n", mode);
-        exit(2);
-    }
-}
-
-static void *get(FILE *file, size_t size) {
-    void *memory = malloc(size ? size : 1);
-    if (!memory || (size && fread(memory, size, 1, file) != 1)) {
-        fprintf(stderr, "hashes: the file ends early\n");
-        exit(1);
-    }
-    return memory;
-}
+#include "modes.h"
 
 // Seven has no common divisor with the number of lines of a sample, so every share has lines of all methods.
 enum { SHARES = 7 };

@@ -1,0 +1,53 @@
+// Modes of floating point that break careless code, for programs that are run in them.
+//   up, down, zero   the rounding mode
+//   ftz              subnormal results and operands are zeros (SSE)
+//   single, double   the precision of x87 registers
+#ifndef MODES_H
+#define MODES_H
+
+#include <fenv.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#if defined(__SSE__) && !defined(__TINYC__)
+#include <xmmintrin.h>
+#endif
+
+static void enter(const char *mode) {
+#ifdef FE_UPWARD
+    if (!strcmp(mode, "up"))
+        fesetround(FE_UPWARD);
+    else if (!strcmp(mode, "down"))
+        fesetround(FE_DOWNWARD);
+    else if (!strcmp(mode, "zero"))
+        fesetround(FE_TOWARDZERO);
+    else
+#endif
+#if defined(__SSE__) && !defined(__TINYC__)
+        if (!strcmp(mode, "ftz"))
+        _mm_setcsr(_mm_getcsr() | 0x8040u);
+    else
+#endif
+#if defined(__i386__) && !defined(__TINYC__)
+        if (!strcmp(mode, "single") || !strcmp(mode, "double")) {
+        unsigned short control;
+        __asm__ volatile("fnstcw %0" : "=m"(control));
+        control = (unsigned short)((control & ~0x300u) | (mode[0] == 'd' ? 0x200u : 0u));
+        __asm__ volatile("fldcw %0" : : "m"(control));
+    } else
+#endif
+    {
+        fprintf(stderr, "this build has no mode %s\n", mode);
+        exit(2);
+    }
+}
+
+static void *get(FILE *file, size_t size) {
+    void *memory = malloc(size ? size : 1);
+    if (!memory || (size && fread(memory, size, 1, file) != 1)) {
+        fprintf(stderr, "the file ends early\n");
+        exit(1);
+    }
+    return memory;
+}
+#endif
