@@ -22,7 +22,7 @@ TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),
 ZLIB ?= $(if $(filter clean help,$(MAKECMDGOALS)),,$(shell echo 'int main(void) { return zlibVersion() == 0; }' | \
     $(CC) -include zlib.h -x c -o /dev/null - -lz 2>/dev/null && echo -DPARADT_ZLIB -lz))
 
-.PHONY: all run examples check test bench thesis study study-threads theory lib clean help test-programs test-list
+.PHONY: all run examples check test faults bench thesis study study-threads theory lib clean help test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -66,7 +66,7 @@ C_TESTS      := $(sort $(wildcard tests/*.c))
 # Without in this list the test of the headers' structure runs like the others.
 NO_TESTS     := tests/run.sh tests/setup.sh
 SHELL_TESTS  := $(filter-out $(NO_TESTS),$(sort $(wildcard tests/*.sh)))
-FUZZERS      := $(sort $(wildcard fuzz/*.c))
+FUZZERS      := $(sort $(wildcard fuzz/fuzz_*.c))
 # Test programs that include cgal.h need CGAL, those that include voro.h Voro++, and those that include gmp.h or one of these
 # other headers GMP.
 NEEDS_CGAL   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]cgal\.h' $(C_TESTS)))
@@ -167,7 +167,7 @@ $(T)/fuzz/%: fuzz/%.c $(T)/$(if $(HAVE_SANITIZERS),sanitized/)paradt.o
 	@mkdir -p $(@D)
 	@rm -f $@
 	$(CC) -Og $(TRACES) $(ASSERTS) -DPARADT_FUZZ_STANDALONE -DPARADT_FUZZ_LINKED $(if $(HAVE_SANITIZERS),$(SANITIZE)) $(WARNINGS) $(DEPENDS) \
-	    -I. -o $@ $< $(filter %.o,$^) -lm
+	    -I. -o $@ $< $(filter %.o,$^) $(ZLIB) -pthread -lm
 
 $(T)/families: tests/programs/families.c
 	@mkdir -p $(@D)
@@ -198,10 +198,27 @@ test: ## Run all tests, after installing what they need (apt-get, as root or by 
 	@$(MAKE) --no-print-directory -s QUICK=$(QUICK) test-list >$(T)/list
 	@CC="$(CC)" CXX="$(CXX)" JOBS=$(JOBS) QUICK=$(QUICK) sh tests/run.sh $(T)/list $(T)/logs
 
+# Without optimisation the library is built in seconds, and most faults show in small sets.
+faults: ## Plant faults one by one, and run the tests that should see them (tests/faults; half an hour on two processors)
+	@JOBS=$(JOBS) CC="$(CC)" sh tests/faults/run.sh
+
 # --- the rest --------------------------------------------------------------------------------------------------------
+
+FUZZ_SECONDS := 60
+fuzz: ## Fuzz each harness for FUZZ_SECONDS=60 without sanitizers and as long with them, by AFL++ or else libFuzzer
+	sh fuzz/fuzz.sh $(FUZZ_SECONDS)
 
 bench: ## Compare speed and memory with the peers that Debian packages (CGAL, TetGen, Qhull)
 	sh tests/bench/run.sh
+
+$(BUILD)/bench/soak: tests/bench/soak.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARNINGS) $(DEPENDS) -include tests/asserts.h -DPARADT_IMPLEMENTATION -I. -Itests -o $@ $< -lm
+
+SOAK_FIRST := 0
+SOAK_SETS := 10000
+soak: $(BUILD)/bench/soak ## Check small random sets of all families by all methods: SOAK_SETS=10000 from number SOAK_FIRST=0 on
+	$(BUILD)/bench/soak $(SOAK_FIRST) $(SOAK_SETS)
 
 thesis: $(TOOLS) ## Repeat the thesis' experiment over MPI, beside its own figures (about 20 minutes)
 	sh tests/bench/thesis.sh

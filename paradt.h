@@ -988,7 +988,8 @@ typedef struct paradt_voronoi {
     paradt_index *sides;        // [face_count][2] the points on its two sides; the second may be -1 - k: wall k
     double *areas;              // [face_count] measure of dimension dim - 1; infinite: unbounded
     double *face_centroids;     // [face_count][dim] NaN where the area is infinite or 0
-    double *normals;            // [face_count][dim] of length 1, from the first side to the second
+    double *normals;            // [face_count][dim] of length 1, from the first side to the second; NaN where the two
+                                // points differ by less than 2^-1022 of the largest coordinate there is
     size_t *first_face;         // [cell_count + 1] where the faces of each cell begin in `faces`
     paradt_index *faces;        // [first_face[cell_count]] numbers of faces
     size_t vertex_count;        // number of vertices
@@ -1033,7 +1034,8 @@ PARADT_DEF paradt_points paradt_points_f32(const float *coordinates, size_t coun
 // With PARADT_FURTHEST_SITE the cells are those whose sphere has all points inside or on it, ties broken by the same
 // rule: a cell is there when paradt_insphere_perturbed says for every other point that it is in conflict. They are the
 // upper side of the lifted points, and triangulate the convex hull; their vertices are on the hull, and all other
-// points are hidden. The method is PARADT_AUTO or PARADT_LIFTED_HULL; paradt_check can't certify them.
+// points are hidden. Of points at one place the one of the largest weight counts here, too: others are not asked. The
+// method is PARADT_AUTO or PARADT_LIFTED_HULL; paradt_check can't certify them.
 PARADT_DEF paradt_status paradt_triangulate(paradt_triangulation *out, const paradt_points *points,
                                             const paradt_options *options);
 
@@ -1221,8 +1223,10 @@ PARADT_DEF void paradt_adjacency_free(paradt_adjacency *adjacency);
 //   points   read during the call only; point i has the id i. Without weights all weights are 0, and those of later
 //            points must be, too.
 //   options  NULL: the defaults. They hold for all calls on the set: allocator, memory_limit (of the set), progress,
-//            parallel_for, user, regions. method: PARADT_AUTO, points are located by a walk from a grid of starting
-//            cells. flags: 0
+//            parallel_for, user, regions. flags: 0. method is how points are located: PARADT_AUTO by a walk from a grid
+//            of starting cells; PARADT_DELAUNAY_TREE and PARADT_FLIP by all cells that there were, the Delaunay tree or
+//            the history of flips, which take the more memory the more points have come. Then points can only be
+//            inserted: removing and moving are PARADT_ERROR_ARGUMENT
 // Errors: those of paradt_triangulate. Thread safety: any number of concurrent calls. Cost: that of paradt_triangulate.
 PARADT_DEF paradt_status paradt_dynamic_create(paradt_dynamic **out, const paradt_points *points,
                                                const paradt_options *options);
@@ -1260,7 +1264,8 @@ PARADT_DEF paradt_status paradt_dynamic_move_points(paradt_dynamic *d, const par
 // Fills what the set is now. Thread-safe on a set that does not change.
 PARADT_DEF void paradt_dynamic_get_info(const paradt_dynamic *d, paradt_dynamic_info *info);
 
-// Fills which cells the last change killed and made. A batch is one change.
+// Fills which cells the last change killed and made. A batch is one change. A cell is not among them when only the id
+// of a vertex is another, since another point at its place stands for it now: one that was there, or has come to it.
 PARADT_DEF void paradt_dynamic_get_update(const paradt_dynamic *d, paradt_dynamic_update *update);
 
 // Fills the vertices and neighbours of a cell. Returns 1, or 0 if the number is of no cell.
@@ -1279,6 +1284,7 @@ PARADT_DEF const double *paradt_dynamic_point(const paradt_dynamic *d, paradt_in
 PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, paradt_index id);
 
 // Returns the number of cells that have a vertex, and fills the first `capacity` of them. 0 for what is no vertex.
+// Cost: linear in the number; memory is taken, for the time of the call, where that is more than 256.
 PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity);
 
 #ifndef PARADT_NO_LOCATOR
@@ -1289,7 +1295,7 @@ PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const do
 
 // Copies the triangulation: cells in ids, numbered from 0 without gaps; representative[id] is -2 for a free id. The
 // arrays come from the set's allocator; paradt_free frees them. neighbors are cells.
-// Errors: MEMORY. Thread-safe on a set that does not change. Cost: linear time.
+// Errors: MEMORY, CANCELLED. Thread-safe on a set that does not change. Cost: linear time.
 PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out);
 #endif
 
@@ -1528,7 +1534,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph, >>conflict rounds; >>lifted hull; >>hull of
 //                       points to >>hull
 //     queries           >>mesh, >>scene; >>given triangulation, >>location to >>locator
-//     living sets       >>mesh, >>scene, >>insertion; >>holes of vertices to >>living set
+//     living sets       >>mesh, >>scene, >>insertion; >>holes of vertices to >>living set (for >>past of a living set
+//                       flips, tree)
 //     Voronoi diagrams  >>given triangulation, >>diagram to >>Voronoi faces; where walls are, >>planes of a cell to
 //                       >>clipping
 //
@@ -1537,65 +1544,65 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   ground
 //     memory                       189   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        190   progress, teams, pauses, the clock
+//     tasks                        196   progress, teams, pauses, the clock
 //   predicates
-//     space                        287   what the predicates know of a set
-//     filters                      200   signs in floating point, with error bounds
+//     space                        294   what the predicates know of a set
+//     filters                      222   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        622   signs in integers
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        325   Hilbert's curve, sorting along it
+//     curve                        330   Hilbert's curve, sorting along it
 //     points                       164   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
 //     sorting                      471   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
-//     reference sphere             203   sagittas near a sphere
+//     reference sphere             204   sagittas near a sphere
 //   mesh
 //     mesh                         700   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        202   conflict test, walk, update
+//     scene                        203   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
 //     pencil                       499   the spheres through a facet
-//     search                       373   the apex of a facet, a point in a sphere
+//     search                       377   the apex of a facet, a point in a sphere
 //     questions                     76   the same of cells of others' points
 //   making
 //     first simplex                138   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
 //     front                        437   what facet by facet has in common
 //     incode                        28   incremental construction
-//     dewall                       158   divide and conquer, merge first
+//     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    296   dig and star, in any dimension
+//     insertion                    298   dig and star, in any dimension
 //     kept spheres                 639   conflict tests by one product, in two and three dimensions
-//     digging by spheres           377   locate and dig with kept spheres
+//     digging by spheres           381   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           296   dig and star with kept spheres
+//     stars in the plane           297   dig and star with kept spheres
 //     insertion by spheres         219   locate, dig and star, all together
-//     insertion in space by AVX2   505   its inner functions for four lanes
+//     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            143   the same for the plane
 //     inserting                    239   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               345   randomized incremental construction: regions, conflicts, one facet's step
+//     conflict graph               346   randomized incremental construction: regions, conflicts, one facet's step
 //     conflict rounds              408   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
-//     hull of points               103   convex hulls
+//     hull of points               165   convex hulls
 //     nodes                         65   the memory of all cells ever made
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      131   the dag of all cells, by which points are located
-//     insertion by flips           308   search, split, collect, flip
-//     Delaunay tree                296   location by the cells that there were
+//     insertion by flips           381   search, split, collect, flip
+//     Delaunay tree                306   location by the cells that there were
 //   division
-//     regions of fronts            125   owners, joining
+//     regions of fronts            127   owners, joining
 //     fringe                       106   cells that are not a region's own alone
 //     fields and patches           344   a region's points, its insertion
-//     questions between regions    369   is a cell one of T(P)?
+//     questions between regions    373   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
 //     results of patches           176   dropping, emitting, taking over
 //     known points                 234   what a rank builds
@@ -1607,42 +1614,45 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     methods                      330   one row a method; AUTO's choice
 //     triangulate                  390   the entry
 //   use
-//     minors                        67   determinants with bounds, in floating point
-//     hull points                  470   those that a hull has to look at
-//     hull faces                   336   planes, extreme points, measures
-//     hull                         270   the entry
-//     given triangulation          198   the caller's cells and points as a mesh and a set
+//     minors                        93   determinants with bounds, in floating point
+//     hull points                  474   those that a hull has to look at
+//     hull faces                   374   planes, extreme points, measures
+//     hull                         304   the entry
+//     given triangulation          206   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       523   the entry of repairing
+//     repair                       524   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               285   a vertex near any place
-//     distances                    161   which of two vertices is nearer
+//     distances                    162   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
-//     adjacency                    189   a vertex to its cells and its neighbours, edges
+//     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
 //     locator                      644   the entry of queries
-//     holes of vertices            382   the hole where a vertex goes, and wrapping it
-//     filling holes                391   what fills it
-//     state of a living set        698   columns, journal, hidden and coincident points
-//     changes of a living set      692   one point comes, goes or moves; the set anew
-//     living set                   634   the entry
+//     holes of vertices            456   the hole where a vertex goes, and wrapping it
+//     filling holes                466   what fills it
+//     past of a living set         245   location by all cells that there were
+//     state of a living set        435   columns, hidden and coincident points
+//     journal of a living set      337   how changes are noted and undone
+//     changes of a living set      458   one point comes, goes or moves
+//     making a living set          260   the set anew
+//     living set                   707   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
-//     diagram order                134   points and cells in the order of space
-//     Voronoi vertices             157   centres of cells, and their errors
-//     Voronoi faces                488   faces and volumes that nothing clips
+//     diagram order                152   points and cells in the order of space
+//     Voronoi vertices             158   centres of cells, and their errors
+//     Voronoi faces                490   faces and volumes that nothing clips
 //     planes of a cell             329   where planes meet, in integers
-//     clipped cell                 550   a cell as planes and vertices, in any dimension
-//     measures of a clipped cell   257   volumes, areas, centroids
-//     clipping                     481   all cells that walls or infinity clip
-//     Voronoi                      636   the entry
+//     clipped cell                 552   a cell as planes and vertices, in any dimension
+//     measures of a clipped cell   261   volumes, areas, centroids
+//     clipping                     482   all cells that walls or infinity clip
+//     Voronoi                      652   the entry
 //   check
-//     check                        501   the certificate
-//     check of the hull            287   ... and of hidden points
-//     check of a hull              331   that of a hull alone
+//     check                        502   the certificate
+//     check of the hull            293   ... and of hidden points
+//     check of a hull              333   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -1706,6 +1716,11 @@ extern "C" {
 
 #ifndef PARADT_ASSERT
 #define PARADT_ASSERT(condition) ((void)0)
+#endif
+
+// What floating point claims where it decides. A debug build compares it with the exact value (tests/bounds.h).
+#ifndef PARADT_CLAIM
+#define PARADT_CLAIM(...) ((void)0)
 #endif
 
 #if defined(PARADT_NO_FRONTS) && defined(PARADT_NO_REGIONS)
@@ -2194,9 +2209,9 @@ static double paradt__widen(uint32_t bits) {
 //
 // What runs on several threads: progress and cancelling, teams of tasks, giving up, and pauses of insertions that work
 // together; and the clock. Doors: paradt__progress_cancels, paradt__progress_of, paradt__meter_begin,
-// paradt__meter_done, paradt__meter_cancels, paradt__progress_of_task, paradt__team_of, paradt__few_of,
-// paradt__team_run, paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP, paradt__relay_pauses,
-// paradt__relay_waits, paradt__now.
+// paradt__meter_done, paradt__meter_cancels, paradt__meter_stops, paradt__progress_of_task, paradt__team_of,
+// paradt__few_of, paradt__team_run, paradt__team_cancels, paradt__team_cancelled, paradt__alone, PARADT__GAVE_UP,
+// paradt__relay_pauses, paradt__relay_waits, paradt__now.
 
 // --- progress
 //
@@ -2244,6 +2259,12 @@ static int paradt__meter_cancels(paradt__meter *meter) {
         PARADT__ATOMIC_UNLOCK(&meter->calling);
     }
     return PARADT__ATOMIC_LOAD(&meter->cancelled);
+}
+
+// Asks once in so many steps of a plain loop, which are a few milliseconds. meter: NULL: nobody asks
+PARADT__INLINE int paradt__meter_stops(paradt__meter *meter, size_t step) {
+    enum { PACE = 1 << 17 };
+    return step % PACE == PACE - 1 && meter && paradt__meter_cancels(meter);
 }
 
 // A share of the work. *reported, 0 at first, is the caller's to keep for as long as somebody works on the share.
@@ -2530,13 +2551,16 @@ static double paradt__quantum(int exponent) {
 //
 // Minors (k = 2, 3, 4). The determinant is a sum of n! monomials, where an entry of the lift counts as one value. A
 // computed monomial has been rounded at most c times, however sums are ordered and products contracted: once by each
-// product, and by a sum once less than the sum has terms.
-//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift: its 2 differences, a product,
-//          d + 1 <= 9 additions, and 3 for the last product and sum: 19
-//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 12 + 4 = 24
-//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 12 + 5 = 31
-// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The factor is
-// twice as large, which covers the higher orders, the errors of the computed m_j, and the rounding of the bound itself.
+// product, and by a sum once less than the sum has terms. The lift has been rounded l times: its 2 differences, a
+// product, d - 1 additions, and one more of the weights: l = d + 2, or d + 3 with weights, of which each is rounded
+// twice.
+//   k = 2  2 differences, and 2 for a pair (a product, a sum of two): 4. With the lift 3 more for the last product and
+//          sum: 7 + l
+//   k = 3  3 + 2 + 3 = 8; with the lift 8 + 4 + l
+//   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 5 + l
+// To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The higher
+// orders, the errors of the computed m_j (n u at most), and the roundings of the bound itself are less than 2^9 u of
+// that in all, for which the factor is larger by 2^-40. tests/bounds.c finds errors of a third of these bounds.
 //
 // Elimination with row pivoting (all other k). Entries begin with errors of at most 12 u m_j. After t steps they are at
 // most 2^t m_j in size, as multipliers are at most 1 in size; a multiplier, by a division or a product with a
@@ -2544,12 +2568,16 @@ static double paradt__quantum(int exponent) {
 // 2^(n-1) u m_j, and the multipliers contribute three times as much. So the computed pivots are exactly those of a
 // matrix whose entries differ by at most e m_j, e = ((2 n + 1) 2^(n-1) + 12) u. By Hadamard's bound the determinant of
 // that matrix differs by at most n e h P to first order, h = n^(n/2); the product of the pivots adds n u of itself.
-// Again the factor is twice as large.
-static double paradt__rounding(int k, int n) {
-    static const int roundings[3][2] = {{4, 19}, {8, 24}, {14, 31}}, factorial[] = {1, 1, 2, 6, 24, 120};
+// Again the factor is twice as large. Errors are a hundredth of that in five dimensions and less in more: entries
+// hardly ever grow by pivots, and Hadamard's matrices are rare. What is known beforehand of all determinants is no
+// more.
+static double paradt__rounding(int k, int n, int d, int weighted) {
+    static const int roundings[3][2] = {{4, 7}, {8, 12}, {14, 19}}, factorial[] = {1, 1, 2, 6, 24, 120};
     static const double hadamard[] = {1, 1, 2, 6, 16, 56, 216, 908, 4096, 19684};
-    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1));
-    if (k >= 2 && k <= 4) return 2 * PARADT__ROUNDOFF * roundings[k - 2][n - k] * factorial[n];
+    const int lift = n > k ? d + 2 + (weighted != 0) : 0;
+    PARADT_ASSERT(k >= 1 && k <= PARADT_MAX_DIM && (n == k || n == k + 1) && d >= k);
+    if (k >= 2 && k <= 4)
+        return (1 + 9.094947017729282e-13) * PARADT__ROUNDOFF * (roundings[k - 2][n - k] + lift) * factorial[n];
     return 2 * PARADT__ROUNDOFF * n * ((2 * n + 1) * (1 << (n - 1)) + 12) * hadamard[n];
 }
 
@@ -2601,10 +2629,10 @@ static void paradt__space_end(paradt__space *s) {
     for (int k = 1; k <= d; k++) {
         paradt__bounds *orient = &s->orient[k], *insphere = &s->insphere[k];
         product *= extents[k - 1];
-        orient->factor = paradt__rounding(k, k);
+        orient->factor = paradt__rounding(k, k, d, 0);
         orient->certain = orient->factor * product + s->tiny;
         orient->quantum = paradt__quantum(k * unit);
-        insphere->factor = paradt__rounding(k, k + 1);
+        insphere->factor = paradt__rounding(k, k + 1, d, s->weighted);
         insphere->certain = insphere->factor * product * lift + s->tiny;
         insphere->quantum = paradt__quantum(k * unit + lift_unit);
         s->orient_certain = paradt__larger(s->orient_certain, orient->certain);
@@ -2678,9 +2706,14 @@ PARADT__INLINE int paradt__compare(const paradt__space *s, const double *a, cons
 
 #define PARADT__UNDECIDED 2
 
-// The last step of each filter. largest: the product of the columns' largest entries
+// The bound for a determinant of some points. largest: the product of the columns' largest entries
+PARADT__INLINE double paradt__filter_error(const paradt__space *s, double largest, const paradt__bounds *b) {
+    return b->factor * largest + s->tiny;
+}
+
+// The last step of each filter
 PARADT__INLINE int paradt__decide(paradt__space *s, double value, double largest, const paradt__bounds *b) {
-    double error = b->factor * largest + s->tiny;
+    double error = paradt__filter_error(s, largest, b);
     if (value > error) return 1;
     if (value < -error) return -1;
     if (paradt__abs(value) + error >= b->quantum) return PARADT__UNDECIDED;
@@ -2693,8 +2726,10 @@ PARADT__INLINE int paradt__filter_orient2(paradt__space *s, const double *const 
     const double *o = p[0], *a = p[1], *b = p[2];
     double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
     double det = ax * by - bx * ay;
+    PARADT_CLAIM(determinant, s, p + 1, o, 2, 2, 2, 0, det, 0.0, &s->orient[2]);
     if (paradt__abs(det) > s->orient[2].certain) return det > 0 ? 1 : -1;
     double x = paradt__larger(paradt__abs(ax), paradt__abs(bx)), y = paradt__larger(paradt__abs(ay), paradt__abs(by));
+    PARADT_CLAIM(determinant, s, p + 1, o, 2, 2, 2, 0, det, x * y, &s->orient[2]);
     return paradt__decide(s, det, x * y, &s->orient[2]);
 }
 
@@ -2706,8 +2741,11 @@ PARADT__INLINE int paradt__filter_orient3(paradt__space *s, const double *const 
     double z[3] = {a[2] - o[2], b[2] - o[2], c[2] - o[2]};
     double det =
         (x[0] * y[1] - x[1] * y[0]) * z[2] + (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1];
+    PARADT_CLAIM(determinant, s, p + 1, o, 3, 3, 3, 0, det, 0.0, &s->orient[3]);
     if (paradt__abs(det) > s->orient[3].certain) return det > 0 ? 1 : -1;
-    return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3), &s->orient[3]);
+    double largest = paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(z, 3);
+    PARADT_CLAIM(determinant, s, p + 1, o, 3, 3, 3, 0, det, largest, &s->orient[3]);
+    return paradt__decide(s, det, largest, &s->orient[3]);
 }
 
 // Completes the lift of the point a over the base o: adds the squares of coordinates k..d - 1 to `lift`, the sum of the
@@ -2730,9 +2768,11 @@ PARADT__INLINE int paradt__filter_insphere2(paradt__space *s, const double *cons
     }
     det = (x[0] * y[1] - x[1] * y[0]) * lift[2] + (x[1] * y[2] - x[2] * y[1]) * lift[0] +
           (x[2] * y[0] - x[0] * y[2]) * lift[1];
+    PARADT_CLAIM(determinant, s, p, o, 3, 2, d, weighted, det, 0.0, &s->insphere[2]);
     if (paradt__abs(det) > s->insphere[2].certain) return det > 0 ? 1 : -1;
-    return paradt__decide(s, det, paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(size, 3),
-                          &s->insphere[2]);
+    double largest = paradt__largest(x, 3) * paradt__largest(y, 3) * paradt__largest(size, 3);
+    PARADT_CLAIM(determinant, s, p, o, 3, 2, d, weighted, det, largest, &s->insphere[2]);
+    return paradt__decide(s, det, largest, &s->insphere[2]);
 }
 
 // The sum of the sizes of all monomials of four rows. It is at most 24 times the product of the columns' largest
@@ -2768,11 +2808,15 @@ PARADT__INLINE int paradt__filter_insphere3(paradt__space *s, const double *cons
     double xyz230 = xy23 * z[0] + xy30 * z[2] + xy02 * z[3], xyz301 = xy30 * z[1] + xy01 * z[3] + xy13 * z[0];
     // minus the determinant of the rows (x, y, z, lift): in odd dimensions its sign is negative inside
     det = (xyz123 * lift[0] - xyz230 * lift[1]) + (xyz301 * lift[2] - xyz012 * lift[3]);
+    PARADT_CLAIM(determinant, s, p, o, 4, 3, d, weighted, det, 0.0, &s->insphere[3]);
     if (paradt__abs(det) > s->insphere[3].certain) return det > 0 ? 1 : -1;
     double largest = paradt__largest(x, 4) * paradt__largest(y, 4) * paradt__largest(z, 4) * paradt__largest(size, 4);
+    PARADT_CLAIM(determinant, s, p, o, 4, 3, d, weighted, det, largest, &s->insphere[3]);
     int sign = paradt__decide(s, det, largest, &s->insphere[3]);
     if (sign != PARADT__UNDECIDED) return sign;
-    return paradt__decide(s, det, paradt__monomials4(x, y, z, size) / 24, &s->insphere[3]);
+    largest = paradt__monomials4(x, y, z, size) / 24;
+    PARADT_CLAIM(monomials, s, p, o, 4, 3, d, weighted, det, largest, &s->insphere[3]);
+    return paradt__decide(s, det, largest, &s->insphere[3]);
 }
 
 // The determinant of four of five rows, without row `out`. xy[i][j], zw[i][j]: the determinants of rows i and j in the
@@ -2808,9 +2852,12 @@ PARADT__INLINE int paradt__filter4(paradt__space *s, const double *const *p, con
         det = (det * lift[4] - paradt__without(xy, zw, 3) * lift[3]) +
               (paradt__without(xy, zw, 2) * lift[2] - paradt__without(xy, zw, 1) * lift[1]) +
               paradt__without(xy, zw, 0) * lift[0];
+    PARADT_CLAIM(determinant, s, p, base, n, 4, d, s->weighted, det, 0.0, b);
     if (paradt__abs(det) > b->certain) return det > 0 ? 1 : -1;
     for (int j = 0; j < 4; j++) largest *= paradt__largest(x[j], n);
-    return paradt__decide(s, det, n == 5 ? largest * paradt__largest(size, 5) : largest, b);
+    if (n == 5) largest *= paradt__largest(size, 5);
+    PARADT_CLAIM(determinant, s, p, base, n, 4, d, s->weighted, det, largest, b);
+    return paradt__decide(s, det, largest, b);
 }
 
 // Returns the determinant of n rows by elimination with pivots, or 0 if there is no pivot. Overwrites a.
@@ -2857,13 +2904,16 @@ PARADT__INLINE int paradt__filter_any(paradt__space *s, const double *const *p, 
     }
     det = paradt__eliminate(a, n);
     if (n > k && k & 1) det = -det;
+    PARADT_CLAIM(determinant, s, p, base, n, k, d, s->weighted, det, 0.0, b);
     if (paradt__abs(det) > b->certain) return det > 0 ? 1 : -1;
     for (int j = 0; j < k; j++) { // elimination has overwritten the rows
         double most = 0;
         for (int i = 0; i < n; i++) most = paradt__larger(most, paradt__abs(p[i][j] - base[j]));
         largest *= most;
     }
-    return paradt__decide(s, det, n > k ? largest * paradt__largest(size, n) : largest, b);
+    if (n > k) largest *= paradt__largest(size, n);
+    PARADT_CLAIM(determinant, s, p, base, n, k, d, s->weighted, det, largest, b);
+    return paradt__decide(s, det, largest, b);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -3781,8 +3831,8 @@ PARADT__INLINE int paradt__space_of_few(paradt__space *s, const double *const *p
     s->tiny = paradt__power(-440); // more than that of paradt__space_end where the top is 100
     s->orient[k].certain = s->insphere[k].certain = paradt__power(1000); // more than any determinant
     s->orient[k].quantum = s->insphere[k].quantum = 0;
-    s->orient[k].factor = paradt__rounding(k, k);
-    s->insphere[k].factor = paradt__rounding(k, k + 1);
+    s->orient[k].factor = paradt__rounding(k, k, k, 0);
+    s->insphere[k].factor = paradt__rounding(k, k + 1, k, 0);
     return fits && paradt__precise();
 }
 
@@ -4183,12 +4233,17 @@ static uint64_t paradt__curve_key(const paradt__curve *curve, const double *poin
 }
 
 // Sorts records along the curve. On entry keyed[i].item are the positions of the records; the keys are made here.
-// other: scratch for as many.
-static void paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width, paradt__keyed *keyed,
-                               paradt__keyed *other, size_t count) {
+// other: scratch for as many. meter: NULL, or asked now and then
+static paradt_status paradt__curve_sort(const paradt__curve *curve, const double *records, size_t width,
+                                        paradt__keyed *keyed, paradt__keyed *other, size_t count,
+                                        paradt__meter *meter) {
     size_t i;
-    for (i = 0; i < count; i++) keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    for (i = 0; i < count; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        keyed[i].key = paradt__curve_key(curve, records + (size_t)keyed[i].item * width);
+    }
     paradt__keyed_sort(keyed, other, count, curve->lattice.dim * curve->lattice.levels, 0);
+    return meter && paradt__meter_cancels(meter) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -5095,7 +5150,7 @@ PARADT__HOT void paradt__sort_few(const paradt__loader *loader, size_t few, int 
     PARADT_ASSERT(2 * few <= loader->source->points.count);
     paradt__curve_begin(&curve, space->ambient, levels, space->low, space->high, few);
     for (i = 0; i < few; i++) loader->keyed[i].item = (paradt_index)((double)loader->sampled / (double)few * (double)i);
-    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few);
+    paradt__curve_sort(&curve, loader->sample, (size_t)space->ambient, loader->keyed, loader->keyed + few, few, NULL);
 }
 
 // Estimates the spacing of the set (see paradt__spacing) by that of few points: one in 2^(k dim) points is 2^k times as
@@ -5798,6 +5853,7 @@ static paradt_status paradt__set_sagittas(paradt__set *set, double radius2, doub
 static void paradt__set_grade_bounds(paradt__set *set, double largest) {
     set->grade_limit = largest * 1.0000001;
     set->grade_error += largest * paradt__power(-48);
+    PARADT_CLAIM(sagittas, set);
 }
 
 // Gives the records their sagittas, if the set is near to a sphere and spans all its axes; else leaves it as it is.
@@ -6205,10 +6261,10 @@ PARADT__INLINE int paradt__same_facet(const paradt_index *vertices, paradt_index
 
 // --- the star of a vertex
 
-enum {
-    PARADT__STAR_CELLS = 256, // that a star holds at most; some more are found with the last
-    PARADT__STAR_PLACES = 512
-};
+#if !defined(PARADT__STAR_CELLS) // tests make it smaller
+#define PARADT__STAR_CELLS 256   // that a star holds at most; some more are found with the last
+#endif
+enum { PARADT__STAR_PLACES = 512 };
 
 typedef struct paradt__star {
     size_t count; // more than PARADT__STAR_CELLS: there are too many, and the star is not complete
@@ -6901,8 +6957,8 @@ PARADT__INLINE void paradt__sides_in_plane(const paradt__scene *scene, const par
 }
 
 // The facet of a cell that a walk crosses to get to x; -1: x is in the cell, and *inside has a bit for each vertex with
-// x strictly on its side of the facet opposite. from: the facet it came through; -1: none. In the plane and in space it
-// is the facet that has x farthest beyond it, as a part of the cell's height.
+// x strictly on its side of the facet opposite. from: the facet it came through, which x is strictly inside of; -1:
+// none. In the plane and in space it is the facet that has x farthest beyond it, as a part of the cell's height.
 PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell, const double *x, int from,
                                          unsigned *inside, int corners) {
     const paradt_index *row = scene->mesh.vertices + (size_t)cell * (size_t)corners;
@@ -6916,6 +6972,7 @@ PARADT__INLINE int paradt__facet_towards(paradt__scene *scene, paradt_index cell
         int facet = -1;
         if (corners == 3) paradt__sides_in_plane(scene, row, x, values);
         else paradt__sides_in_space(scene, row, x, values);
+        PARADT_CLAIM(sides, scene, row, x, values, certain, corners);
         for (i = 0; i < corners; i++) {
             double value = i == from ? 0.0 : values[i];
             facet = value < least ? i : facet;
@@ -6955,7 +7012,7 @@ PARADT__INLINE paradt_index paradt__walk_by(paradt__scene *scene, paradt_index c
         if (ghost < 0) facet = paradt__facet_towards(scene, cell, x, from, inside, corners);
         else if (from == ghost || paradt__side(scene, cell, ghost, x) > 0) return cell;
         if (facet < 0) return cell;
-        from = (int)(links[facet] % corners);
+        from = ghost < 0 ? (int)(links[facet] % corners) : -1; // x may be on the facet of the ghost that it starts at
         cell = links[facet] / corners;
     }
     return PARADT__OPEN;
@@ -8374,6 +8431,7 @@ PARADT__INLINE void paradt__search_point_of_shape(paradt__search *s, size_t posi
     } else {
         f_bound = n_bound = PARADT__NO_BOUND;
     }
+    PARADT_CLAIM(search, s, x, f, f_bound, n, n_bound);
     if (s->aim != PARADT__AIM_CONFLICT) {
         if (n < -n_bound || (n <= n_bound && !paradt__pencil_is_outside(&s->pencil, x))) return;
     }
@@ -8413,6 +8471,7 @@ static void paradt__search_cell(paradt__search *s, size_t cell, double f_bound, 
     const double *lanes = paradt__grid_lanes(s->grid, s->set, cell, scratch);
     unsigned mask = s->kernels.cell(&s->pencil.q, lanes, f_bound, n_bound);
     int i;
+    PARADT_CLAIM(lanes, s, cell * PARADT__LANES, (size_t)1, ~mask);
     s->distance_evaluations += PARADT__LANES;
     s->grid_cells_visited++;
     if (!mask) return;
@@ -8456,6 +8515,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
     if (skip - first < PARADT__LANES) remaining &= ~(1u << (skip - first));
     mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
     if (s->aim == PARADT__AIM_BEYOND) mask = paradt__pencil_boxes_beyond(&s->pencil, boxes, mask);
+    PARADT_CLAIM(lanes, s, first * span, span, ~mask & remaining);
     while (mask && !s->found) {
         lane = level ? (size_t)paradt__lanes_most_promising(&bounds, mask) : (size_t)paradt__trailing_zeros(mask);
         mask &= ~(1u << lane);
@@ -8470,6 +8530,7 @@ static void paradt__search_group(paradt__search *s, int level, size_t group, siz
             changes = s->pencil.changes;
             growths = s->pencil.growths;
             mask = s->kernels.group(&s->pencil.q, boxes, &bounds) & remaining;
+            PARADT_CLAIM(lanes, s, first * span, span, ~mask & remaining);
         }
     }
 }
@@ -9403,7 +9464,9 @@ static paradt_status paradt__incode(paradt__front *front) {
 // positions in the set. Doors: paradt__dewall, and for walls that are tasks paradt__wall_of, paradt__wall_begin,
 // paradt__wall_raise, paradt__wall_build, paradt__wall_activate.
 
-enum { PARADT__WALL_SMALL = 64 }; // so few points are not divided further
+#if !defined(PARADT__WALL_SMALL) // tests make it smaller
+#define PARADT__WALL_SMALL 64    // so few points are not divided further
+#endif
 
 // A range of positions, the plane that divides it, and work lists of active facets
 typedef struct paradt__wall {
@@ -9654,7 +9717,7 @@ static void paradt__merge_others(const paradt__set *set, size_t own, const parad
     enum { FEW = 16 }; // own points from one comparison of keys to the next
     size_t others = set->count - own, i, few, end, next = 0;
     for (i = 0; i < others; i++) sorted[i].item = (paradt_index)(own + i);
-    paradt__curve_sort(curve, set->records, set->width, sorted, other, others);
+    paradt__curve_sort(curve, set->records, set->width, sorted, other, others, NULL);
     for (i = 0; i < own; i += FEW) {
         uint64_t key = paradt__curve_key(curve, set->records + i * set->width);
         while (next < others && sorted[next].key < key) paradt__rounds_put(r, sorted[next++].item);
@@ -9693,7 +9756,7 @@ PARADT__OPTIONAL paradt_index *paradt__late_order(const paradt__set *set, paradt
         paradt__curve_begin(&curve, space->dim, paradt__levels_for(SIZE_MAX, space->dim), space->low, space->high,
                             set->count);
         for (i = 0; i < set->count; i++) keyed[i].item = (paradt_index)i;
-        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count);
+        paradt__curve_sort(&curve, set->records, set->width, keyed, other, set->count, NULL);
         for (i = 0; i < set->count; i++) order[i] = keyed[order[i]].item;
     } else {
         paradt__release(memory, order);
@@ -9726,8 +9789,10 @@ struct paradt__insertion;
 
 // Is told of each cavity when it has been dug, before it is starred: update.killed and the rim are filled, and the mesh
 // is still as it was. It makes the room that starring takes, so that nothing fails afterwards, or says why not.
+// A point that is inserted by flips makes a cavity with each of them, and `filled` is told of their cells, too.
 typedef struct paradt__witness {
     paradt_status (*dug)(struct paradt__witness *witness, struct paradt__insertion *build);
+    void (*filled)(struct paradt__witness *witness, struct paradt__insertion *build);
 } paradt__witness;
 
 // An insertion of points, from its first cells on
@@ -10342,12 +10407,12 @@ PARADT__INLINE void paradt__circle_make(paradt__making making, const paradt__fra
     double reach = paradt__abs(wx) * f->half[0] + paradt__abs(wy) * f->half[1];
     double doubt = (size * reach + sides) * inverse; // K
     if (making == PARADT__MAKE_GRADED) {             // by (11)
-        double near = size * (paradt__abs(wx) + paradt__abs(wy)) + sla * (paradt__abs(bx) + paradt__abs(by)) +
-                      slb * (paradt__abs(ax) + paradt__abs(ay));
+        double nearby = size * (paradt__abs(wx) + paradt__abs(wy)) + sla * (paradt__abs(bx) + paradt__abs(by)) +
+                        slb * (paradt__abs(ax) + paradt__abs(ay));
         doubt = PARADT__UNIT_ERROR * doubt + 0.0625 * reach;
         circle->normal[0] = -wx;
         circle->normal[1] = -wy;
-        circle->normal[2] = 32.0 * PARADT__UNIT_ERROR * near * inverse;
+        circle->normal[2] = 32.0 * PARADT__UNIT_ERROR * nearby * inverse;
         circle->constant = -p->lift;
         circle->base[0] = p->s[0];
         circle->base[1] = p->s[1];
@@ -10490,19 +10555,19 @@ PARADT__INLINE int paradt__kept_is_near(const paradt__kept *s, int corners) {
     return corners == 3 && s->making == PARADT__MAKE_GRADED;
 }
 
-// The same where the number of corners is a constant. near: by (11)?
+// The same where the number of corners is a constant. nearby: by (11)?
 PARADT__INLINE double paradt__kept_power(const paradt__sphere *sphere, const paradt__centred *x, int corners,
-                                         int near) {
+                                         int nearby) {
     if (corners == 4) return paradt__sphere_power(sphere, x);
-    if (near)
+    if (nearby)
         return (x->lift + sphere->constant) +
                (sphere->normal[0] * (x->s[0] - sphere->base[0]) + sphere->normal[1] * (x->s[1] - sphere->base[1]));
     return (x->lift + sphere->constant) + (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1]);
 }
 
 // Returns the bound on the error of this power.
-PARADT__INLINE double paradt__kept_error(const paradt__sphere *sphere, const paradt__centred *x, int near) {
-    if (!near) return sphere->error;
+PARADT__INLINE double paradt__kept_error(const paradt__sphere *sphere, const paradt__centred *x, int nearby) {
+    if (!nearby) return sphere->error;
     return sphere->error +
            sphere->normal[2] * (paradt__abs(x->s[0] - sphere->base[0]) + paradt__abs(x->s[1] - sphere->base[1]));
 }
@@ -10704,11 +10769,12 @@ PARADT__INLINE unsigned paradt__kept_settle_any(paradt__insertion *build, paradt
                                                 const paradt__centred *centred, const double *x, int corners) {
     const paradt__kept *s = build->kept;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-    const int near = paradt__kept_is_near(s, corners);
+    const int nearby = paradt__kept_is_near(s, corners);
     double power, error;
     if (sphere->tag & PARADT__IN_CAVITY) return 1;
-    power = paradt__kept_power(sphere, centred, corners, near);
-    error = paradt__kept_error(sphere, centred, near);
+    power = paradt__kept_power(sphere, centred, corners, nearby);
+    PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, x, power);
+    error = paradt__kept_error(sphere, centred, nearby);
     if (paradt__abs(power) > error) return power < 0.0;
     if (paradt__abs(power) + error < s->zero_below) return paradt__kept_tie(build, cell, x, corners);
     return corners == 4 ? paradt__kept_decide_space(build, cell, x) : paradt__kept_decide_plane(build, cell, x);
@@ -10761,11 +10827,12 @@ PARADT__NOINLINE paradt_index paradt__kept_locate_exactly(paradt__insertion *bui
 // by orientations takes over. Powers are rounded before they are compared: otherwise, of two neighbours with equal
 // powers each could be less than the other where one power is in a longer register, and the walk would not end.
 PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *centred,
-                                                const double *x, int corners, int near) {
+                                                const double *x, int corners, int nearby) {
     paradt_index cell = build->kept->start;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-    double power = paradt__rounded(paradt__kept_power(sphere, centred, corners, near));
-    double error = paradt__kept_error(sphere, centred, near);
+    double power = paradt__rounded(paradt__kept_power(sphere, centred, corners, nearby));
+    double error = paradt__kept_error(sphere, centred, nearby);
+    PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, x, power);
     while (power >= -error) {
         const paradt_index *links = build->scene.mesh.links + (size_t)corners * (size_t)cell;
         double least = power;
@@ -10775,9 +10842,10 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
             paradt_index other = (paradt_index)paradt__kept_across(links[i], corners);
             double value;
             sphere = paradt__kept_sphere(build, other);
-            value = paradt__rounded(paradt__kept_power(sphere, centred, corners, near));
+            value = paradt__rounded(paradt__kept_power(sphere, centred, corners, nearby));
+            PARADT_CLAIM(power, build, sphere, (paradt__tag)other, x, value);
             best = value < least ? other : best;
-            error = value < least ? paradt__kept_error(sphere, centred, near) : error;
+            error = value < least ? paradt__kept_error(sphere, centred, nearby) : error;
             least = value < least ? value : least;
         }
         if (best == cell) return paradt__kept_locate_exactly(build, cell, centred, x);
@@ -10872,12 +10940,13 @@ PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig
     paradt_index handle = dig->links[inner];
     paradt__tag other = paradt__kept_across(handle, corners);
     paradt__sphere *sphere = dig->table + (other & dig->mask);
-    const int near = paradt__kept_is_near(build->kept, corners);
-    double power = paradt__kept_power(sphere, centred, corners, near);
+    const int nearby = paradt__kept_is_near(build->kept, corners);
+    double power = paradt__kept_power(sphere, centred, corners, nearby);
     unsigned conflict = power < 0.0;
+    PARADT_CLAIM(power, build, sphere, other, x, power);
     PARADT__PREFETCH(dig->links + (size_t)corners * (size_t)other);
     if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) &
-                        (paradt__abs(power) > paradt__kept_error(sphere, centred, near)))) {
+                        (paradt__abs(power) > paradt__kept_error(sphere, centred, nearby)))) {
         if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
             dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
             return;
@@ -11341,9 +11410,10 @@ typedef struct paradt__postponed {
 
 // Is the cell or ghost in conflict with the point?
 PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt__tag cell,
-                                                const paradt__centred *centred, const double *x, int near) {
+                                                const paradt__centred *centred, const double *x, int nearby) {
     const paradt__sphere *sphere = build->kept->table + (cell & build->kept->mask);
-    double power = paradt__kept_power(sphere, centred, 3, near), error = paradt__kept_error(sphere, centred, near);
+    double power = paradt__kept_power(sphere, centred, 3, nearby), error = paradt__kept_error(sphere, centred, nearby);
+    PARADT_CLAIM(power, build, sphere, cell, x, power);
     if (PARADT__LIKELY((sphere->tag == cell) & (paradt__abs(power) > error))) return power < 0.0;
     return paradt__kept_settle_plane(build, (paradt_index)cell, centred, x);
 }
@@ -11352,7 +11422,7 @@ PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt
 // of a cavity, so that its cells hang together as a tree, and no cell is come to twice: none needs a mark. Fills
 // update.killed, the rim and the polygon. Returns 0 if the cavity is not small; then nothing has changed.
 PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index first, const paradt__centred *point,
-                                     const double *x, paradt__polygon *polygon, int near) {
+                                     const double *x, paradt__polygon *polygon, int nearby) {
     const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
     paradt_index *killed = build->update.killed, *rim = build->rim, entry = 3 * first;
     paradt__tag cell = (paradt__tag)first;
@@ -11363,15 +11433,15 @@ PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index firs
     later[0].inner = entry; // the facet by which no other cell leads to the first one
     later[0].mirror = links[entry];
     later[0].corner = vertices[entry + 1];
-    later[0].conflict = paradt__plane_conflicts(build, paradt__kept_across(later[0].mirror, 3), &centred, x, near);
+    later[0].conflict = paradt__plane_conflicts(build, paradt__kept_across(later[0].mirror, 3), &centred, x, nearby);
     while (cells < PARADT__SMALL_CAVITY) {
         const size_t place = (size_t)entry - 3 * (size_t)cell;
         const paradt_index after = entry + (paradt_index)paradt__plane_after[place],
                            before = entry + (paradt_index)paradt__plane_before[place];
         const paradt_index mirror = links[after], other = links[before];
         const paradt__tag across = paradt__kept_across(mirror, 3), beside = paradt__kept_across(other, 3);
-        const unsigned conflict = paradt__plane_conflicts(build, across, &centred, x, near);
-        const unsigned postponed = paradt__plane_conflicts(build, beside, &centred, x, near);
+        const unsigned conflict = paradt__plane_conflicts(build, across, &centred, x, nearby);
+        const unsigned postponed = paradt__plane_conflicts(build, beside, &centred, x, nearby);
         killed[cells++] = 3 * (paradt_index)cell;
         if (conflict) {
             later[waiting].inner = before;
@@ -11532,7 +11602,7 @@ PARADT__NOINLINE void paradt__polygon_ghosts(paradt__insertion *build, paradt__n
     const paradt_index *made = build->update.made;
     size_t count = build->rim_count, from = 0, to, i;
     paradt__tag a, b;
-    int near;
+    int nearby;
     while (polygon->corner[from] >= 0) from++;
     to = from ? from - 1 : count - 1;
     a = paradt__kept_across(made[from], 3);
@@ -11543,8 +11613,8 @@ PARADT__NOINLINE void paradt__polygon_ghosts(paradt__insertion *build, paradt__n
                            paradt__scene_record(&build->scene, polygon->corner[to]));
     s->table[a & s->mask].tag = a;
     s->table[b & s->mask].tag = b;
-    near = paradt__kept_is_near(s, 3);
-    s->start = (paradt_index)(paradt__kept_power(s->table + (a & s->mask), &s->next, 3, near) < 0.0 ? a : b);
+    nearby = paradt__kept_is_near(s, 3);
+    s->start = (paradt_index)(paradt__kept_power(s->table + (a & s->mask), &s->next, 3, nearby) < 0.0 ? a : b);
     star->count = (int)(count - 2);
     for (i = 0; i < count; i += PARADT__PLANE_TOGETHER)
         memcpy(s->finite_base + i, made + i, PARADT__PLANE_TOGETHER * sizeof *made);
@@ -11764,14 +11834,14 @@ PARADT__INLINE paradt_status paradt__plane_insert_any(paradt__insertion *build, 
                                                       const paradt__kept_kernels *kernels) {
     const double *x = paradt__scene_record(&build->scene, point);
     paradt__centred centred = build->kept->next;
-    const int near = paradt__kept_is_near(build->kept, 3);
+    const int nearby = paradt__kept_is_near(build->kept, 3);
     paradt_index first =
-        near ? paradt__kept_locate(build, &centred, x, 3, 1) : paradt__kept_locate(build, &centred, x, 3, 0);
+        nearby ? paradt__kept_locate(build, &centred, x, 3, 1) : paradt__kept_locate(build, &centred, x, 3, 0);
     paradt__polygon polygon;
     paradt_status status;
     int is_small = 0;
     if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
-    if (near) is_small = paradt__plane_dig(build, first, &centred, x, &polygon, 1);
+    if (nearby) is_small = paradt__plane_dig(build, first, &centred, x, &polygon, 1);
     else if (!build->scene.space.weighted) is_small = paradt__plane_dig(build, first, &centred, x, &polygon, 0);
     if (!is_small) return paradt__plane_insert_large(build, point, first, &centred, kernels);
     status = build->witness ? build->witness->dug(build->witness, build) : PARADT_OK;
@@ -11935,6 +12005,7 @@ PARADT__AVX2 static size_t paradt__kept_spread_avx2(paradt__insertion *build, pa
         paradt__four_slots at = paradt__four_across(&dig, row);
         __m256d power = paradt__four_powers(at, query, lift), error = paradt__four_errors(at);
         unsigned inside = (unsigned)_mm256_movemask_pd(power), outside, sure, fresh;
+        PARADT_CLAIM(powers, build, dig.table, dig.mask, row, x, (const double *)&power);
         here = _mm_or_si128(_mm_andnot_si128(_mm_set1_epi32(3), here), order);
         *cell = base;
         paradt__kept_number(&dig, dig.vertices[entry]);
@@ -12353,13 +12424,13 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_circles(paradt__making making, con
     reach = doubt;
     doubt = _mm256_mul_pd(_mm256_fmadd_pd(size, doubt, sides), inverse);
     if (making == PARADT__MAKE_GRADED) {
-        __m256d near = _mm256_mul_pd(size, _mm256_add_pd(paradt__abs_avx2(w[0]), paradt__abs_avx2(w[1])));
-        near = _mm256_fmadd_pd(la, _mm256_add_pd(sb[0], sb[1]), near);
-        near = _mm256_fmadd_pd(lb, _mm256_add_pd(sa[0], sa[1]), near);
+        __m256d nearby = _mm256_mul_pd(size, _mm256_add_pd(paradt__abs_avx2(w[0]), paradt__abs_avx2(w[1])));
+        nearby = _mm256_fmadd_pd(la, _mm256_add_pd(sb[0], sb[1]), nearby);
+        nearby = _mm256_fmadd_pd(lb, _mm256_add_pd(sa[0], sa[1]), nearby);
         doubt = _mm256_mul_pd(doubt, _mm256_set1_pd(PARADT__UNIT_ERROR));
         doubt = _mm256_fmadd_pd(reach, _mm256_set1_pd(0.0625), doubt);
         for (i = 0; i < 2; i++) circle[i] = _mm256_sub_pd(_mm256_setzero_pd(), w[i]);
-        circle[2] = _mm256_mul_pd(_mm256_mul_pd(near, _mm256_set1_pd(32.0 * PARADT__UNIT_ERROR)), inverse);
+        circle[2] = _mm256_mul_pd(_mm256_mul_pd(nearby, _mm256_set1_pd(32.0 * PARADT__UNIT_ERROR)), inverse);
         circle[3] = p[3];
     } else {
         for (i = 0; i < 2; i++) circle[i] = _mm256_fmsub_pd(_mm256_set1_pd(-2.0), p[i], w[i]);
@@ -13534,6 +13605,7 @@ PARADT__INLINE size_t paradt__graph_filter(const paradt__graph *g, paradt__space
         int keep = (int)(merged[i] & 1);
         double value = rows ? paradt__plane_value(plane, rows + (size_t)point * (size_t)terms, terms) : 0.0;
         paradt__tag its = rank[point];
+        PARADT_CLAIM(plane, g, row, plane, paradt__record(g->set, point), value, terms);
         if (PARADT__LIKELY(keep | (paradt__abs(value) > plane->error))) keep |= value < 0.0;
         else keep = paradt__graph_decide(g, space, row, paradt__record(g->set, point));
         merged[kept] = point;
@@ -14211,31 +14283,93 @@ PARADT__INLINE size_t paradt__furthest_of(const paradt__set *set, const paradt_i
     return best;
 }
 
-// Moves points that are far out to the front of an order by chance: of each 1024 points the one that is furthest in a
+// --- points that are far out first
+//
+// Points that are far out go to the front of an order by chance: of each 1024 points the one that is furthest in a
 // direction by chance, then of each 512 of the others, and so on. In a ball of five dimensions that saves half of the
 // time, for facets made of inner points are made in vain. The directions are chosen anew for each group: so an order of
-// points that are all on the hull remains one by chance.
-PARADT__HOT paradt_status paradt__outer_first(const paradt__set *set, const paradt__team *team, paradt_index *order) {
-    enum { GROUP = 1024 };
+// points that are all on the hull remains one by chance. Each block of 1024 points is dealt with while it is in the
+// cache, and by one task.
+
+enum { PARADT__OUTER_BLOCK = 1024, PARADT__OUTER_LEVELS = 11 };
+
+typedef struct paradt__outer {
+    const paradt__set *set;
+    const paradt__team *team;
+    paradt_index *order; // [set->count] by chance; the points of a block change places
+    paradt_index *outer; // [set->count] those far out first
     double widths[PARADT_MAX_DIM];
-    size_t front = 0, group, begin, looked = 0;
-    int j;
-    if (!set->space.bounded) return PARADT_OK;
-    for (j = 0; j < set->space.dim; j++) {
-        double width = paradt__from_ordered_bits(set->space.high[j]) - paradt__from_ordered_bits(set->space.low[j]);
-        widths[j] = width > paradt__power(-400) ? 1 / width : 0.0;
-    }
-    for (group = GROUP; group > 1; group /= 2) {
-        for (begin = front; begin + group <= set->count; begin += group) {
-            size_t best = paradt__furthest_of(set, order, begin, begin + group, widths, begin * group);
-            paradt_index point = order[best];
-            looked += group;
-            if (looked % PARADT__PACE < group && paradt__team_cancels(team, 0, 0.0)) return PARADT_ERROR_CANCELLED;
-            order[best] = order[front];
-            order[front++] = point;
+    size_t begin[PARADT__OUTER_LEVELS]; // where in `outer` the points of a level begin; those of the last are the rest
+    size_t each[PARADT__OUTER_LEVELS];  // points that a whole block has of the level
+} paradt__outer;
+
+// How many of the `left` points of a block are taken at a level; the next one finds fewer left
+PARADT__INLINE size_t paradt__outer_taken(size_t *left, int level) {
+    size_t taken = level + 1 < PARADT__OUTER_LEVELS ? *left / ((size_t)PARADT__OUTER_BLOCK >> level) : *left;
+    *left -= taken;
+    return taken;
+}
+
+// Moves those points of order[begin, end), a block, that are far out to its front, level by level.
+PARADT__INLINE void paradt__outer_block(const paradt__outer *o, size_t begin, size_t end) {
+    size_t front = begin, group, at;
+    for (group = PARADT__OUTER_BLOCK; group > 1; group /= 2) {
+        for (at = front; at + group <= end; at += group) {
+            size_t best = paradt__furthest_of(o->set, o->order, at, at + group, o->widths, at * group);
+            paradt_index point = o->order[best];
+            o->order[best] = o->order[front];
+            o->order[front++] = point;
         }
     }
-    return PARADT_OK;
+}
+
+// Orders a task's blocks, and copies the points of each level to those of the other blocks.
+PARADT__HOT void paradt__outer_task(void *context, size_t task) {
+    enum { TOGETHER = 16 }; // blocks
+    const paradt__outer *o = (const paradt__outer *)context;
+    const size_t size = PARADT__OUTER_BLOCK, count = o->set->count;
+    size_t block, last = paradt__loader_range(o->team, (count + size - 1) / size, task, &block);
+    for (; block < last; block++) {
+        size_t begin = block * size, end = count - begin < size ? count : begin + size, left = end - begin, at = begin;
+        int level;
+        if (block % TOGETHER == 0 && paradt__team_cancels(o->team, task, 0.0)) return;
+        paradt__outer_block(o, begin, end);
+        for (level = 0; level < PARADT__OUTER_LEVELS; level++) {
+            size_t taken = paradt__outer_taken(&left, level), to = o->begin[level] + block * o->each[level];
+            memcpy(o->outer + to, o->order + at, taken * sizeof *o->outer);
+            at += taken;
+        }
+    }
+}
+
+// Replaces an order by chance by one in which points that are far out come first. *order: a block; NULL is an error of
+// memory
+PARADT__HOT paradt_status paradt__outer_first(const paradt__set *set, const paradt__team *team, paradt__memory *memory,
+                                              paradt_index **order) {
+    const size_t blocks = set->count / PARADT__OUTER_BLOCK;
+    size_t whole = PARADT__OUTER_BLOCK, rest = set->count % PARADT__OUTER_BLOCK, before = 0;
+    paradt__outer o;
+    int i;
+    if (!*order) return PARADT_ERROR_MEMORY;
+    if (!set->space.bounded) return PARADT_OK;
+    o.set = set;
+    o.team = team;
+    o.order = *order;
+    for (i = 0; i < set->space.dim; i++) {
+        double width = paradt__from_ordered_bits(set->space.high[i]) - paradt__from_ordered_bits(set->space.low[i]);
+        o.widths[i] = width > paradt__power(-400) ? 1 / width : 0.0;
+    }
+    for (i = 0; i < PARADT__OUTER_LEVELS; i++) {
+        o.begin[i] = before;
+        o.each[i] = paradt__outer_taken(&whole, i);
+        before += blocks * o.each[i] + paradt__outer_taken(&rest, i);
+    }
+    o.outer = (paradt_index *)paradt__alloc_filled(memory, set->count, sizeof *o.outer);
+    if (!o.outer) return PARADT_ERROR_MEMORY;
+    paradt__team_run(team, paradt__outer_task, &o);
+    paradt__release(memory, *order);
+    *order = o.outer;
+    return paradt__team_cancelled(team) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 // Makes the mesh of the facets of the convex hull of a set, whose affine dimension is set->space.dim = k >= 1: k
@@ -14257,7 +14391,7 @@ PARADT__OPTIONAL paradt_status paradt__hull_facets(const paradt__set *set, const
     paradt__mesh_begin(facets, set->space.dim, 0);
     if (set->space.dim == 1) return paradt__hull_of_line(set, memory, facets);
     order = paradt__shuffled_order(set->count, memory);
-    status = order ? paradt__outer_first(set, team, order) : PARADT_ERROR_MEMORY;
+    status = paradt__outer_first(set, team, memory, &order);
     if (status) {
         paradt__release(memory, order);
         return status;
@@ -14359,7 +14493,7 @@ PARADT__INLINE paradt_status paradt__nodes_room(paradt__nodes *nodes, size_t mor
 // beyond a facet of the cell, and empty where p is in the cell and no vertex yet: then the flip inserts p.
 // After Lawson, "Properties of n-dimensional triangulations", Computer Aided Geometric Design 3, 1986; the circuits and
 // their links: de Loera, Rambau, Santos, "Triangulations", 2010, section 4.4.
-// Doors: paradt__flipper_*, paradt__flip_sign, paradt__flip_collect, paradt__flip.
+// Doors: paradt__flipper_*, paradt__flip_sign, paradt__flip_collect, paradt__flip_room, paradt__flip.
 
 // The signs of a cell's coefficients, a bit for each place in its row. Both masks are 0 where no flip is wanted.
 typedef struct paradt__signs {
@@ -14733,7 +14867,8 @@ PARADT__INLINE paradt_index paradt__history_locate(const paradt__nodes *h, parad
 // moves heights alone, as if the lifted points were in general position, so that this holds in degenerate places, too.
 //
 // What is known of a cell is kept beside its place, as long as p is the same: each is asked once, from whatever facet.
-// Doors: paradt__insert_by_flips.
+// Doors: struct paradt__flips, paradt__flips_free, paradt__flips_room, paradt__flips_find, paradt__flips_insert,
+// paradt__flips_build, paradt__insert_by_flips.
 
 // What is kept with a place
 typedef struct paradt__flip_place {
@@ -14756,9 +14891,9 @@ typedef struct paradt__flips {
 } paradt__flips;
 
 // Makes room for so many new cells in the history and in the list of facets, and keeps something with all places.
-static paradt_status paradt__flips_room(paradt__flips *f, size_t made) {
-    paradt__memory *memory = f->flipper.build.memory;
-    size_t capacity = f->flipper.build.scene.mesh.capacity;
+static paradt_status paradt__flips_room(paradt__flips *f, const paradt__mesh *mesh, size_t made,
+                                        paradt__memory *memory) {
+    size_t capacity = mesh->capacity;
     paradt_status status = paradt__nodes_room(&f->history, made, memory);
     if (!status)
         status = paradt__list_room(&f->facets.items, f->facets.count, &f->facets.capacity, f->facets.count + 2 * made,
@@ -14793,7 +14928,8 @@ PARADT__INLINE void paradt__flips_bury(paradt__flips *f, paradt_index handle, in
 PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners) {
     const paradt__update *update = &f->flipper.build.update;
     const size_t positive = (size_t)f->flipper.positive, each = (size_t)f->flipper.negative + 1;
-    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_status status =
+        paradt__flips_room(f, &f->flipper.build.scene.mesh, update->made_count, f->flipper.build.memory);
     size_t i, j;
     for (i = 0; i < f->flipper.star.count && !status; i++) {
         paradt_index parent = f->at[update->killed[i * each] / corners].node;
@@ -14807,12 +14943,45 @@ PARADT__INLINE paradt_status paradt__flips_record(paradt__flips *f, int corners)
 static paradt_status paradt__flips_record_star(paradt__flips *f) {
     const paradt__update *update = &f->flipper.build.update;
     int corners = f->flipper.build.scene.mesh.corners;
-    paradt_status status = paradt__flips_room(f, update->made_count);
+    paradt_status status =
+        paradt__flips_room(f, &f->flipper.build.scene.mesh, update->made_count, f->flipper.build.memory);
     paradt_index parent = f->at[update->killed[0] / corners].node;
     size_t i;
     for (i = 0; i < update->killed_count && !status; i++) paradt__flips_bury(f, update->killed[i], corners);
     for (i = 0; i < update->made_count && !status; i++) paradt__flips_enter(f, update->made[i], parent, corners);
     return status;
+}
+
+// Tells the witness of a flip that has been collected: what it kills, and the rim of that. Makes the room that the
+// flip itself takes; that of the history is the witness' to make.
+static paradt_status paradt__flips_tell(paradt__flips *f, int corners) {
+    paradt__insertion *build = &f->flipper.build;
+    paradt__mesh *mesh = &build->scene.mesh;
+    paradt__update *update = &build->update;
+    size_t each = (size_t)f->flipper.negative + 1, i, j;
+    paradt_index handle;
+    paradt_status status = paradt__flip_room(&f->flipper);
+    if (!status)
+        status = paradt__list_room(&build->rim, 0, &build->rim_capacity, f->flipper.star.count * each * (size_t)corners,
+                                   build->memory);
+    if (status) return status;
+    update->killed_count = build->rim_count = 0;
+    for (i = 0; i < f->flipper.star.count; i++) {
+        const unsigned char *places = f->flipper.places + i * (size_t)corners;
+        paradt_index base = f->flipper.star.items[i] * corners;
+        update->killed[update->killed_count++] = base;
+        for (j = 0; j + 1 < each; j++) update->killed[update->killed_count++] = mesh->links[base + places[j]];
+    }
+    for (i = 0; i < update->killed_count; i++) mesh->marks[update->killed[i] / corners] |= PARADT__CONFLICT;
+    for (i = 0; i < update->killed_count; i++) {
+        paradt_index base = update->killed[i] - update->killed[i] % corners;
+        for (handle = base; handle < base + corners; handle++)
+            if (!(mesh->marks[mesh->links[handle] / corners] & PARADT__CONFLICT))
+                build->rim[build->rim_count++] = handle;
+    }
+    for (i = 0; i < update->killed_count; i++)
+        paradt__mesh_unmark(mesh, (size_t)(update->killed[i] / corners), PARADT__CONFLICT);
+    return build->witness->dug(build->witness, build);
 }
 
 // Flips the cell and p, if that can be done.
@@ -14821,8 +14990,11 @@ PARADT__INLINE paradt_status paradt__flips_try(paradt__flips *f, paradt_index ce
     int possible;
     paradt_status status = paradt__flip_collect(&f->flipper, cell, point, signs, corners, &possible);
     if (status || !possible) return status;
-    status = paradt__flip(&f->flipper, corners);
+    if (f->flipper.build.witness) status = paradt__flips_tell(f, corners);
+    if (!status) status = paradt__flip(&f->flipper, corners);
     if (!status) status = paradt__flips_record(f, corners);
+    if (!status && f->flipper.build.witness)
+        f->flipper.build.witness->filled(f->flipper.build.witness, &f->flipper.build);
     f->counts[f->flipper.negative + 1]++;
     f->steps++;
     if (!status) PARADT__VERIFY_SMALL(&f->flipper.build.scene.mesh, 1, PARADT__CONFLICT);
@@ -14921,26 +15093,43 @@ static paradt_status paradt__flips_see(paradt__flips *f, paradt_index first, con
 static paradt_status paradt__flips_connect(paradt__flips *f, paradt_index first, paradt_index point) {
     paradt__insertion *build = &f->flipper.build;
     paradt_status status = paradt__flips_see(f, first, paradt__scene_record(&build->scene, point));
+    if (!status && build->witness) status = build->witness->dug(build->witness, build);
     if (!status) status = paradt__cavity_star(build, point);
     if (!status) status = paradt__flips_record_star(f);
     if (!status) status = paradt__cavity_clear(build);
+    if (!status && build->witness) build->witness->filled(build->witness, build);
     if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
     return status;
 }
 
-// Inserts a point, but for the flips of its link's facets.
-PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_index point, int corners) {
-    paradt__scene *scene = &f->flipper.build.scene;
-    const double *x = paradt__scene_record(scene, point);
+// Finds the cell or ghost that contains x, and makes it the recent one.
+PARADT__INLINE paradt_index paradt__flips_find(paradt__flips *f, paradt__scene *scene, const double *x, int corners) {
     paradt_index start = -1 - paradt__history_node(&f->history, f->recent)[PARADT__NODE_CHILD];
     paradt_index cell = paradt__history_locate(&f->history, scene, f->recent, x, corners);
     if (cell < 0) cell = paradt__walk(scene, start, x);
     f->recent = f->at[cell].node;
+    return cell;
+}
+
+// Inserts a point that a cell contains, but for the flips of its link's facets.
+PARADT__INLINE paradt_status paradt__flips_begin_point(paradt__flips *f, paradt_index point, paradt_index cell,
+                                                       int corners) {
+    paradt__scene *scene = &f->flipper.build.scene;
     if (paradt__ghost_place(paradt__mesh_row(&scene->mesh, cell), corners) >= 0)
         return paradt__flips_connect(f, cell, point);
     if (scene->space.weighted && !paradt__flips_ask(f, cell, point)->signs.negative) return PARADT_OK; // hidden
     paradt__flips_sign(f, cell, point, corners);
     return paradt__flips_try(f, cell, point, f->at[cell].signs, corners);
+}
+
+// Inserts a point that the cell contains and is in conflict with, with all that follows.
+PARADT__OPTIONAL paradt_status paradt__flips_insert(paradt__flips *f, paradt_index point, paradt_index cell) {
+    const int corners = f->flipper.build.scene.mesh.corners;
+    paradt_status status;
+    f->facets.count = 0;
+    status = paradt__flips_begin_point(f, point, cell, corners);
+    while (f->facets.count && !status) status = paradt__flips_next(f, point, corners);
+    return status;
 }
 
 // Inserts the points after the first ones.
@@ -14951,7 +15140,8 @@ PARADT__INLINE paradt_status paradt__flips_go_any(paradt__flips *f, const paradt
     uint64_t next = 0;
     while (build->inserted < build->count && !status) {
         paradt_index point = paradt__insertion_point(build, build->inserted);
-        status = paradt__flips_begin_point(f, point, corners);
+        paradt_index cell = paradt__flips_find(f, &build->scene, paradt__scene_record(&build->scene, point), corners);
+        status = paradt__flips_begin_point(f, point, cell, corners);
         for (;;) {
             if (f->steps + build->inserted >= next) {
                 next = f->steps + build->inserted + PACE;
@@ -14985,37 +15175,54 @@ static paradt_status paradt__flips_begin(paradt__flips *f) {
     if (status) return status;
     build->inserted = corners;
     f->history.width = (corners + PARADT__NODE_VERTICES) * sizeof(paradt_index);
-    status = paradt__flips_room(f, corners + 1);
+    status = paradt__flips_room(f, mesh, corners + 1, build->memory);
     for (place = 0; place < mesh->count && !status; place++)
         f->at[place].node = paradt__history_add(&f->history, PARADT__OPEN, (paradt_index)place,
                                                 mesh->vertices + place * corners, mesh->corners);
     return status;
 }
 
+// Frees all but the mesh.
+static void paradt__flips_free(paradt__flips *f) {
+    paradt__memory *memory = f->flipper.build.memory;
+    paradt__nodes_free(&f->history, memory);
+    paradt__list_free(&f->facets, memory);
+    paradt__release(memory, f->at);
+    f->at = NULL;
+    paradt__flipper_rest(&f->flipper);
+}
+
 // Makes the closed mesh of a set, whose points are along a curve, by flips. Vertices are positions in the set. After an
-// error the mesh is empty. stats: history_nodes and flips are filled.
+// error the mesh is empty. f: filled; the caller frees it, in any case. counts: of flips
+static paradt_status paradt__flips_build(paradt__flips *f, const paradt__set *set, paradt__memory *memory,
+                                         paradt__mesh *mesh, const paradt__progress *progress,
+                                         paradt__counters *counters, uint64_t *counts) {
+    paradt__insertion *build = &f->flipper.build;
+    paradt_index *order = paradt__round_order(set->count, memory);
+    paradt_status status;
+    memset(f, 0, sizeof *f);
+    build->memory = memory;
+    if (!order) return PARADT_ERROR_MEMORY;
+    f->counts = counts;
+    paradt__insertion_begin(build, set, order, memory);
+    status = paradt__flips_begin(f);
+    if (!status) status = paradt__flips_go(f, progress);
+    *counters = build->scene.space.counters;
+    paradt__release(memory, order);
+    build->order = NULL;
+    *mesh = build->scene.mesh;
+    if (status) paradt__mesh_free(mesh, memory);
+    return status;
+}
+
+// The same for who wants the mesh alone. stats: history_nodes and flips are filled
 PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
                                                   const paradt__progress *progress, paradt__counters *counters,
                                                   paradt_stats *stats) {
     paradt__flips f;
-    paradt__insertion *build = &f.flipper.build;
-    paradt_index *order = paradt__round_order(set->count, memory);
-    paradt_status status;
-    if (!order) return PARADT_ERROR_MEMORY;
-    memset(&f, 0, sizeof f);
-    f.counts = stats->flips;
-    paradt__insertion_begin(build, set, order, memory);
-    status = paradt__flips_begin(&f);
-    if (!status) status = paradt__flips_go(&f, progress);
+    paradt_status status = paradt__flips_build(&f, set, memory, mesh, progress, counters, stats->flips);
     stats->history_nodes = f.history.count;
-    *counters = build->scene.space.counters;
-    paradt__nodes_free(&f.history, memory);
-    paradt__list_free(&f.facets, memory);
-    paradt__release(memory, f.at);
-    paradt__flipper_rest(&f.flipper);
-    paradt__release(memory, order);
-    *mesh = build->scene.mesh;
-    if (status) paradt__mesh_free(mesh, memory);
+    paradt__flips_free(&f);
     return status;
 }
 #endif // PARADT_NO_FLIPS
@@ -15046,7 +15253,8 @@ PARADT__HOT paradt_status paradt__insert_by_flips(const paradt__set *set, paradt
 // The tree hangs on a scene by its updates: paradt__tree_locate finds a cell, whoever changes the mesh hands the update
 // to paradt__tree_record. Between the two `at` names the node of each live cell. A node takes 4 (corners + 7) bytes,
 // 44 in space, with 32-bit indices; there are about dim + 1 of them for each cell that lives in the end.
-// Door: paradt__delaunay_tree.
+// Doors: struct paradt__tree, paradt__tree_at, paradt__tree_room, paradt__tree_locate, paradt__tree_record,
+// paradt__tree_free, paradt__tree_build, paradt__delaunay_tree.
 
 // A node; behind it stands its row, the vertices of the cell, positively oriented. In a ghost ~v stands for the
 // infinite vertex, where v is the vertex opposite the ghost's facet in the cell that was behind it then. PARADT__OPEN
@@ -15088,7 +15296,7 @@ static void paradt__tree_free(paradt__tree *tree) {
 // Makes room for so many more nodes, and for the node at each place of the mesh.
 static paradt_status paradt__tree_room(paradt__tree *tree, const paradt__mesh *mesh, size_t more) {
     void *at = tree->at;
-    if (!PARADT__LIKELY(mesh->count <= tree->places)) {
+    if (!PARADT__LIKELY(mesh->capacity <= tree->places)) {
         if (!paradt__grow(tree->memory, &at, tree->places, mesh->capacity, sizeof *tree->at))
             return PARADT_ERROR_MEMORY;
         tree->at = (paradt_index *)at;
@@ -15193,7 +15401,8 @@ static paradt_status paradt__tree_descend(paradt__tree *tree, paradt__scene *sce
     return status;
 }
 
-// The thesis' `location`: finds a cell in conflict with x, or PARADT__NOWHERE: there is none. start: a cell to begin at
+// The thesis' `location`: finds a cell in conflict with x, or PARADT__NOWHERE: there is none, as x is hidden, or may be
+// where a vertex is. start: a cell to begin at
 static paradt_status paradt__tree_locate(paradt__tree *tree, paradt__scene *scene, paradt_index start, const double *x,
                                          paradt_index *found) {
     paradt_status status = PARADT_OK;
@@ -15205,7 +15414,6 @@ static paradt_status paradt__tree_locate(paradt__tree *tree, paradt__scene *scen
         status = paradt__tree_descend(tree, scene, node, x, found);
     for (i = 0; i < tree->roots && *found == PARADT__NOWHERE && !status; i++)
         status = paradt__tree_descend(tree, scene, (paradt_index)i, x, found);
-    PARADT_ASSERT(*found != PARADT__NOWHERE || scene->space.weighted || status);
     return status;
 }
 
@@ -15284,34 +15492,43 @@ PARADT__HOT paradt_status paradt__tree_insert_all(paradt__tree *tree, paradt__in
                 return PARADT_ERROR_CANCELLED;
         }
         status = paradt__tree_locate(tree, &build->scene, paradt__tree_start(build, x), x, &cell);
+        PARADT_ASSERT(status || cell != PARADT__NOWHERE || build->scene.space.weighted);
         if (!status) status = paradt__insert_next(build, cell);
         if (!status) status = paradt__tree_record(tree, build, point);
     }
     return status;
 }
 
-// Makes the closed mesh of a set as paradt__bowyer_watson does. stats: history_nodes is filled
-PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
-                                                const paradt__progress *progress, paradt__counters *counters,
-                                                paradt_stats *stats) {
+// Makes the closed mesh of a set as paradt__bowyer_watson does. tree: filled; the caller frees it, in any case
+static paradt_status paradt__tree_build(paradt__tree *tree, const paradt__set *set, paradt__memory *memory,
+                                        paradt__mesh *mesh, const paradt__progress *progress,
+                                        paradt__counters *counters) {
     paradt__insertion build;
-    paradt__tree tree;
     paradt_index *order = paradt__round_order(set->count, memory);
     paradt_status status;
+    memset(tree, 0, sizeof *tree);
+    tree->memory = memory;
     if (!order) return PARADT_ERROR_MEMORY;
     paradt__insertion_begin(&build, set, order, memory);
     status = paradt__insertion_first(&build);
-    if (!status) {
-        status = paradt__tree_begin(&tree, &build.scene.mesh, memory);
-        if (!status) status = paradt__tree_insert_all(&tree, &build, progress);
-        stats->history_nodes = tree.nodes.count;
-        paradt__tree_free(&tree);
-    }
+    if (!status) status = paradt__tree_begin(tree, &build.scene.mesh, memory);
+    if (!status) status = paradt__tree_insert_all(tree, &build, progress);
     *counters = build.scene.space.counters;
     paradt__insertion_rest(&build);
     paradt__release(memory, order);
     *mesh = build.scene.mesh;
     if (status) paradt__mesh_free(mesh, memory);
+    return status;
+}
+
+// The same for who wants the mesh alone. stats: history_nodes is filled
+PARADT__HOT paradt_status paradt__delaunay_tree(const paradt__set *set, paradt__memory *memory, paradt__mesh *mesh,
+                                                const paradt__progress *progress, paradt__counters *counters,
+                                                paradt_stats *stats) {
+    paradt__tree tree;
+    paradt_status status = paradt__tree_build(&tree, set, memory, mesh, progress, counters);
+    stats->history_nodes = tree.nodes.count;
+    paradt__tree_free(&tree);
     return status;
 }
 #endif
@@ -15424,6 +15641,7 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
     paradt_index open[PARADT__JOINED];
     paradt_status status = paradt__facets_begin(&table, 0, 0, memory);
     for (i = 0; i < facets && !status; i++) {
+        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (all->links[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
         if (count < PARADT__JOINED && i + 1 < facets) continue;
         status = paradt__facets_join(&table, all, open, count, 0, memory);
@@ -15431,7 +15649,8 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
         if (!status && i % PARADT__PACE < PARADT__JOINED && paradt__meter_cancels(meter))
             status = PARADT_ERROR_CANCELLED;
     }
-    for (i = 0; i < facets; i++) {
+    for (i = 0; i < facets && !status; i++) {
+        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (all->links[i] == PARADT__OPEN) all->links[i] = PARADT__HULL;
         *hull_facets += all->links[i] == PARADT__HULL;
     }
@@ -16195,11 +16414,15 @@ static uint64_t paradt__patch_effort(const paradt__patch *patch) {
     return paradt__search_effort(&patch->search) + patch->neighbor_effort;
 }
 
+#if !defined(PARADT__LEARN_AFTER) // tests learn sooner
+#define PARADT__LEARN_AFTER 10000 // looks, and some more for each cell and for others' points
+#endif
+
 // Is it faster to learn neighbours now than to go on searching? Learning a point's neighbours takes as long as some
 // looks.
 static int paradt__patch_learning_pays(const paradt__patch *patch) {
-    size_t others = patch->build.count - patch->own->set.count;
-    return paradt__patch_effort(patch) > 10000 + patch->build.scene.mesh.count / 32 + 8 * others;
+    size_t others = patch->build.count - patch->own->set.count, more = patch->build.scene.mesh.count / 32 + 8 * others;
+    return paradt__patch_effort(patch) > (PARADT__LEARN_AFTER ? PARADT__LEARN_AFTER + more : 0);
 }
 
 // Should the region give up? It should when the questions and the insertion of their answers take longer than to insert
@@ -18316,7 +18539,7 @@ static paradt_status paradt__build_by_patches(paradt__work *work) {
 //
 // One row a method, and the choice between them. A new method is a row here and a name in PARADT_METHOD_LIST.
 // Doors: paradt__method_of, paradt__choose_method, paradt__wanted_method, paradt__plan, paradt__build_mesh,
-// paradt__build_trivial, paradt__release_helpers.
+// paradt__build_trivial, paradt__grade_for_insertion, paradt__release_helpers.
 
 #ifndef PARADT_NO_REGIONS
 // --- do regions pay?
@@ -19038,7 +19261,7 @@ static paradt_status paradt__triangulate_region(paradt_triangulation *out, const
 // only have to be right within a known error, and for measures. All minors of the first rows come together, by
 // expansion along the last row, smaller before larger. The measure of the parallelotope of m vectors is the root of the
 // sum of the squares of their m-minors (Cauchy and Binet), which has no cancellation, in whatever dimension the vectors
-// are. Doors: paradt__minors_of, paradt__minors_factor, paradt__minors_measure.
+// are. Doors: paradt__minors_of, paradt__minors_factor, paradt__minors_measure, paradt__length_in_unit.
 
 enum { PARADT__MINORS = 1 << PARADT_MAX_DIM }; // sets of columns
 
@@ -19076,22 +19299,48 @@ PARADT__INLINE void paradt__minors_of(paradt__minors_table *table, int rows, int
     }
 }
 
-// Returns the measure of the parallelotope of the first k rows, k >= 1. *error: a bound of its error
-PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, int k, int columns, double *error) {
-    double squares = 0, sizes = 0;
+// Returns the length of a vector in a unit in which no square is lost that matters. *unit: what to multiply by: 1, or
+// more for a short vector
+PARADT__INLINE double paradt__length_in_unit(const double *a, int d, double *unit) {
+    double square = 0;
+    int j, exponent;
+    for (j = 0, *unit = 1; j < d; j++) square += a[j] * a[j];
+    for (exponent = 500; exponent <= 1000 && square < paradt__power(-800); exponent += 500) {
+        *unit = paradt__power(exponent);
+        for (j = 0, square = 0; j < d; j++) square += (a[j] * *unit) * (a[j] * *unit);
+    }
+    return sqrt(square);
+}
+
+// Returns the sum of the squares of the k-minors, each times `unit` before, and the sum of their sizes.
+PARADT__INLINE double paradt__minors_squares(const paradt__minors_table *table, int k, int columns, double unit,
+                                             double *sizes, int *terms) {
+    double squares = 0;
     unsigned mask, rest;
-    int terms = 0;
-    for (mask = 1; mask < 1u << columns; mask++) {
+    for (mask = 1, *sizes = *terms = 0; mask < 1u << columns; mask++) {
         int count = 0;
         for (rest = mask; rest; rest &= rest - 1) count++;
         if (count != k) continue;
-        squares += table->minor[mask] * table->minor[mask];
-        sizes += table->size[mask];
-        terms++;
+        squares += (table->minor[mask] * unit) * (table->minor[mask] * unit);
+        *sizes += table->size[mask];
+        ++*terms;
+    }
+    return squares;
+}
+
+// Returns the measure of the parallelotope of the first k rows, k >= 1. *error: a bound of its error, but for what is
+// below 2^-1000. Where all minors are small they are squared in another unit, so that no square is lost that matters.
+PARADT__INLINE double paradt__minors_measure(const paradt__minors_table *table, int k, int columns, double *error) {
+    double sizes, unit = 1, squares;
+    int terms;
+    squares = paradt__minors_squares(table, k, columns, unit, &sizes, &terms);
+    if (squares < paradt__power(-800)) {
+        unit = paradt__power(500);
+        squares = paradt__minors_squares(table, k, columns, unit, &sizes, &terms);
     }
     // the norm of the minors changes by no more than the sum of their errors; squares, sum and root err by less than
     // terms + 3 roundoffs
-    squares = sqrt(squares);
+    squares = sqrt(squares) / unit;
     *error = paradt__minors_factor(k) * sizes + PARADT__ROUNDOFF * (terms + 4) * squares;
     return squares;
 }
@@ -19275,6 +19524,7 @@ static void paradt__sieve_plane(const paradt__sieve *sieve, const double *const 
     for (i = 0; i + 1 < d; i++)
         for (j = 0; j < d; j++) table->row[i][j] = (x[i + 1][j] - x[0][j]) * sieve->scale[j];
     paradt__minors_of(table, d - 1, d);
+    PARADT_CLAIM(minors, x, sieve->scale, table, d);
     for (j = 0; j < d; j++) {
         double minor = table->minor[all ^ 1u << j], y = (x[0][j] - sieve->low[j]) * sieve->scale[j];
         plane[j] = j & 1 ? minor : -minor;
@@ -19480,9 +19730,9 @@ static size_t paradt__hull_sample(const paradt__sifting *sifting, const paradt__
 }
 
 // Makes the sieve of a sample of `count` points, in place of that of a smaller one, for as many points as `next`.
-// *pays: 0: it would not pay, and there is none
+// *pays: 0: it would not pay, and there is none. *vertices: of the sample's hull; 0 if the sample is flat
 static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__sieve *sieve, const double *high,
-                                          size_t count, size_t next, double *coordinates, int *pays) {
+                                          size_t count, size_t next, double *coordinates, int *pays, size_t *vertices) {
     paradt__memory *memory = sifting->memory;
     paradt__team alone = *sifting->team; // which reports no progress
     paradt__counters counters;
@@ -19493,7 +19743,8 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
     paradt_index *representative = (paradt_index *)paradt__alloc(memory, sample.count + 1, sizeof *representative);
     unsigned char *met = (unsigned char *)paradt__alloc(memory, sample.count + 1, 1);
     paradt_status status = representative && met ? PARADT_OK : PARADT_ERROR_MEMORY;
-    size_t bad = 0, i, vertices = 0;
+    size_t bad = 0, i;
+    *vertices = 0;
     sample.data = coordinates;
     alone.tasks = 1;
     alone.progress.share = 0.0;
@@ -19508,10 +19759,10 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
         status = paradt__hull_mesh(&set, &alone, memory, &mesh, &counters);
         if (!status) memset(met, 0, sample.count);
         for (i = 0; i < mesh.count * (size_t)mesh.corners && !status; i++) {
-            vertices += !met[mesh.vertices[i]];
+            *vertices += !met[mesh.vertices[i]];
             met[mesh.vertices[i]] = 1;
         }
-        *pays = !status && 2 * vertices < count; // else more than half of all points are outside
+        *pays = !status && 2 * *vertices < count; // else more than half of all points are outside
     }
     *pays = *pays && mesh.count <= (size_t)INT32_MAX && paradt__sieve_scale(sieve, high, next);
     if (*pays) status = paradt__sieve_make(sieve, &mesh, &set, coordinates, memory);
@@ -19522,11 +19773,13 @@ static paradt_status paradt__sieve_refine(paradt__sifting *sifting, paradt__siev
     return status;
 }
 
-// Makes the sieve, if one pays: sieve->cells is NULL if there is none. high: of the box of all points
+// Makes the sieve, if one pays: sieve->cells is NULL if there is none. Where all of a few points are vertices of their
+// hull, as on a sphere, none will: of 128 points in a ball in five dimensions 97 are. high: of the box of all points
 static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve *sieve, const double *high) {
     static const size_t least[] = {0, 0, 256, 512, 512, 64, 0, 0, 0}; // points of the first sample; 0: no sieve
-    enum { STEP = 32 };                                               // from one sample to the next, and to all
+    enum { STEP = 32, FEW = 128 };                                    // from one sample to the next, and to all
     size_t all = sifting->source->points.count, count = all / STEP, size = (size_t)sieve->dim * sizeof(double);
+    size_t vertices = 0;
     double *coordinates;
     paradt_status status = PARADT_OK;
     int pays = 1;
@@ -19534,9 +19787,9 @@ static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve
     coordinates = (double *)paradt__alloc(sifting->memory, count, size);
     if (!coordinates) return PARADT_ERROR_MEMORY;
     while (count / STEP >= least[sieve->dim]) count /= STEP;
-    for (; count <= all / STEP && pays && !status; count *= STEP) {
-        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays);
-    }
+    if (count > FEW) status = paradt__sieve_refine(sifting, sieve, high, FEW, count, coordinates, &pays, &vertices);
+    for (pays = vertices < FEW; count <= all / STEP && pays && !status; count *= STEP)
+        status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays, &vertices);
     paradt__release(sifting->memory, coordinates);
     return status;
 }
@@ -19575,7 +19828,9 @@ static paradt_status paradt__hull_sift(paradt__sifting *sifting, paradt__sieve *
 // which are the facets, and ridges where a mesh of cells has facets.
 //
 // Facets of one face are connected through ridges, and at each of these the facets' other vertices lie in one plane. So
-// a plane is what is reached through flat ridges, which are found by exact signs and noted in a byte a facet.
+// a plane is what is reached through flat ridges, which are noted in a byte a facet. The minors of a facet's vectors
+// are needed for its measures; most ridges are not flat by these minors and the bound of their errors, for the others
+// exact signs are taken.
 //
 // Extreme points. Let S(v) be the planes that v lies on. A point v of the hull that is not extreme lies in the interior
 // of a face F of dimension 1 at least, F is the intersection of the planes in S(v) with the hull, and F is triangulated
@@ -19583,8 +19838,39 @@ static paradt_status paradt__hull_sift(paradt__sifting *sifting, paradt__sieve *
 // alone, and no other point is on all the planes in S(v). So v is extreme if no w that shares a facet with v has all of
 // S(v): no arithmetic is needed. Most points need no lists: if a facet has no flat ridge at v then v is a corner of the
 // facet's plane, and extreme.
-// Doors: paradt__hull_planes, paradt__hull_vertices, paradt__hull_measure.
+//
+// Measures. The hull is cut into simplices, each the join of a facet with one place, the first facet's first vertex:
+// none of them has a negative volume. A facet's rows are its vertices less the first one, and then that place less the
+// first one, so that the error is small where the facet is. Coordinates are brought below 1 by a power of two, and the
+// sums back in the end.
+// Doors: paradt__hull_look, paradt__hull_planes, paradt__hull_vertices, paradt__hull_measure.
 
+// A sum of numbers that are not negative: part i is 0 or a sum of 2^i of them. So each is rounded 64 times at most,
+// and again where the sums of tasks are added.
+typedef struct paradt__cascade {
+    double part[64];
+    uint64_t count;
+} paradt__cascade;
+
+PARADT__INLINE void paradt__cascade_add(paradt__cascade *sum, double x) {
+    uint64_t count = sum->count++;
+    int i = 0;
+    for (; count & 1; count >>= 1, i++) x += sum->part[i];
+    sum->part[i] = x;
+}
+
+static double paradt__cascade_end(const paradt__cascade *sum) {
+    double x = 0;
+    int i;
+    for (i = 0; i < 64; i++) x += sum->count >> i & 1 ? sum->part[i] : 0.0;
+    return x;
+}
+
+typedef struct paradt__measured {
+    paradt__cascade area, area_error, volume, volume_error;
+} paradt__measured;
+
+// What the steps of this section work on. The owner fills what comes before `scale`.
 typedef struct paradt__faces {
     paradt__set *set;
     const paradt__mesh *mesh;
@@ -19594,41 +19880,126 @@ typedef struct paradt__faces {
         *flat; // [facets] bit i: the ridge opposite vertex i is flat; each ridge is noted at its smaller handle
     paradt_index *plane; // [facets]
     size_t plane_count;
-    unsigned char *kind; // [set.count] PARADT__HULL_* bits of a point
-    int unit;            // the caller's coordinates are 2^unit times the set's
+    unsigned char *kind;              // [set.count] PARADT__HULL_* bits of a point
+    int unit;                         // the caller's coordinates are 2^unit times the set's
+    int scale;                        // the set's coordinates are 2^scale times those that are measured
+    size_t flats[PARADT__MOST_TASKS]; // facets that have a flat ridge noted, by task
+    int general;                      // 1: none has
+    int minors;                       // 1: a facet's minors may tell that a ridge is not flat
+    paradt__measured sums[PARADT__MOST_TASKS];
     paradt__counters counters[PARADT__MOST_TASKS];
 } paradt__faces;
 
 enum { PARADT__HULL_VERTEX = 1, PARADT__HULL_EXTREME = 2, PARADT__HULL_PACE = 1 << 12 };
 
-// --- planes
+// --- one look at each facet
 
-// Finds the flat ridges of a task's facets.
-PARADT__HOT void paradt__hull_flat_task(void *context, size_t task) {
-    paradt__faces *faces = (paradt__faces *)context;
+// Adds the measures of one facet. x: its vertices, then the place that all simplices have in common
+PARADT__INLINE void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table *table,
+                                           double (*x)[PARADT_MAX_DIM], int k, int ambient) {
+    double error, measure;
+    int i, j;
+    for (i = 0; i < k; i++)
+        for (j = 0; j < ambient; j++) table->row[i][j] = x[i + 1][j] - x[0][j];
+    paradt__minors_of(table, k, ambient);
+    measure = k > 1 ? paradt__minors_measure(table, k - 1, ambient, &error) : (error = 0, 1.0);
+    paradt__cascade_add(&sums->area, measure);
+    paradt__cascade_add(&sums->area_error, error);
+    measure = paradt__minors_measure(table, k, ambient, &error);
+    paradt__cascade_add(&sums->volume, measure);
+    paradt__cascade_add(&sums->volume_error, error);
+}
+
+// Is a ridge of the facet not flat for certain? table: the facet's, in as many dimensions as it has vertices. x: the
+// facet's first vertex and the other facet's vertex beyond the ridge. Their determinant is expanded along the last row,
+// as in >>minors; 2^-900 makes up for what is lost where numbers are tiny.
+PARADT__INLINE int paradt__hull_is_bent(const paradt__minors_table *table, const double *x, const double *beyond,
+                                        int k) {
+    double sum = 0, size = 0;
+    int j;
+    for (j = 0; j < k; j++) {
+        double across = beyond[j] - x[j];
+        sum = across * table->minor[((1u << k) - 1) ^ (1u << j)] - sum;
+        size += paradt__abs(across) * table->size[((1u << k) - 1) ^ (1u << j)];
+    }
+    return paradt__abs(sum) > paradt__minors_factor(k) * size + paradt__power(-900);
+}
+
+// Reads a point as it is measured. factor: 2^-scale, or 0: that is too small or large
+PARADT__INLINE void paradt__hull_place(const paradt__faces *faces, paradt_index vertex, double factor, double *x,
+                                       int ambient) {
+    const double *p = paradt__record(faces->set, vertex);
+    int j, exact = 1;
+    for (j = 0; j < ambient; j++) x[j] = factor > 0 ? p[j] * factor : paradt__scale(p[j], -faces->scale, &exact);
+}
+
+// Measures a facet and finds out which of its ridges are flat.
+PARADT__INLINE unsigned paradt__hull_look_at(const paradt__faces *faces, size_t facet, double factor,
+                                             paradt__space *space, paradt__minors_table *table, paradt__measured *sums,
+                                             int k, int ambient) {
     const paradt__mesh *mesh = faces->mesh;
-    paradt__space space = faces->set->space;
+    const paradt_index *vertices = mesh->vertices + facet * (size_t)k;
     const double *p[PARADT_MAX_DIM + 1];
-    int corners = mesh->corners, i;
-    size_t facet, end = paradt__loader_range(faces->team, mesh->count, task, &facet), first = facet;
+    double x[PARADT_MAX_DIM + 1][PARADT_MAX_DIM], beyond[PARADT_MAX_DIM];
+    unsigned flat = 0;
+    int i;
+    for (i = 0; i < k; i++) paradt__hull_place(faces, vertices[i], factor, x[i], ambient);
+    paradt__hull_place(faces, mesh->vertices[0], factor, x[k], ambient);
+    paradt__hull_add_facet(sums, table, x, k, ambient);
+    for (i = 0; i < k; i++) p[i] = paradt__record(faces->set, vertices[i]);
+    for (i = 0; i < k && k > 1; i++) {
+        paradt_index handle = (paradt_index)(facet * (size_t)k) + i, mirror = mesh->links[handle];
+        if (mirror < handle) continue;
+        paradt__hull_place(faces, mesh->vertices[mirror], factor, beyond, ambient);
+        if (faces->minors && paradt__hull_is_bent(table, x[0], beyond, k)) continue;
+        p[k] = paradt__record(faces->set, mesh->vertices[mirror]);
+        flat |= (unsigned)!paradt__orient(space, p) << i;
+    }
+    return flat;
+}
+
+// Looks at a task's facets: one part in turn, for the later ones have fewer ridges that are noted with them.
+PARADT__HOT void paradt__hull_look_task(void *context, size_t task) {
+    paradt__faces *faces = (paradt__faces *)context;
+    const int k = faces->mesh->corners, d = faces->set->space.ambient;
+    const double factor = faces->scale >= -900 && faces->scale <= 900 ? paradt__power(-faces->scale) : 0.0;
+    const size_t count = faces->mesh->count, tasks = faces->team->tasks;
+    paradt__space space = faces->set->space;
+    paradt__minors_table table;
+    size_t part = task * PARADT__HULL_PACE, facet, end;
     memset(&space.counters, 0, sizeof space.counters);
-    for (; facet < end; facet++) {
-        const paradt_index *vertices = mesh->vertices + facet * (size_t)corners;
-        unsigned flat = 0;
-        if (facet % PARADT__HULL_PACE == 0 &&
-            paradt__team_cancels(faces->team, task, (double)(facet - first) / (double)(end - first)))
-            break;
-        for (i = 0; i < corners; i++) p[i] = paradt__record(faces->set, vertices[i]);
-        for (i = 0; i < corners && corners > 1; i++) {
-            paradt_index handle = (paradt_index)(facet * (size_t)corners) + i, mirror = mesh->links[handle];
-            if (mirror < handle) continue;
-            p[corners] = paradt__record(faces->set, mesh->vertices[mirror]);
-            flat |= (unsigned)!paradt__orient(&space, p) << i;
+    for (; part < count; part += tasks * PARADT__HULL_PACE) {
+        if (paradt__team_cancels(faces->team, task, (double)part / (double)count)) break;
+        end = part + PARADT__HULL_PACE < count ? part + PARADT__HULL_PACE : count;
+        for (facet = part; facet < end; facet++) {
+            unsigned flat = PARADT_MAX_DIM > 2 && k == 3 && d == 3
+                                ? paradt__hull_look_at(faces, facet, factor, &space, &table, &faces->sums[task], 3, 3)
+                                : paradt__hull_look_at(faces, facet, factor, &space, &table, &faces->sums[task], k, d);
+            faces->flat[facet] = (unsigned char)flat;
+            faces->flats[task] += flat != 0;
         }
-        faces->flat[facet] = (unsigned char)flat;
     }
     faces->counters[task] = space.counters;
 }
+
+// Looks at all facets. counters: is added to
+static paradt_status paradt__hull_look(paradt__faces *faces, paradt__counters *counters) {
+    size_t task;
+    faces->scale = paradt__max(faces->set->space.coordinates.top, -1000);
+    faces->minors = faces->mesh->corners == faces->set->space.ambient && paradt__precise();
+    memset(faces->sums, 0, sizeof faces->sums);
+    memset(faces->flats, 0, sizeof faces->flats);
+    paradt__team_run(faces->team, paradt__hull_look_task, faces);
+    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
+    faces->general = 1;
+    for (task = 0; task < faces->team->tasks; task++) {
+        paradt__counters_add(counters, &faces->counters[task]);
+        faces->general &= !faces->flats[task];
+    }
+    return PARADT_OK;
+}
+
+// --- planes
 
 // Is the ridge of a handle flat?
 PARADT__INLINE int paradt__hull_is_flat(const paradt__faces *faces, paradt_index handle) {
@@ -19637,20 +20008,19 @@ PARADT__INLINE int paradt__hull_is_flat(const paradt__faces *faces, paradt_index
 }
 
 // Numbers the planes: faces->plane, which is the result's.
-PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces, paradt__counters *counters) {
+PARADT__HOT paradt_status paradt__hull_planes(paradt__faces *faces) {
     const paradt__mesh *mesh = faces->mesh;
     paradt__list stack;
     paradt_status status = PARADT_OK;
-    size_t facet, task;
+    size_t facet;
     int i;
-    memset(faces->counters, 0, sizeof faces->counters);
-    paradt__team_run(faces->team, paradt__hull_flat_task, faces);
-    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
-    for (task = 0; task < faces->team->tasks; task++) paradt__counters_add(counters, &faces->counters[task]);
     memset(&stack, 0, sizeof stack);
-    for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = -1;
-    for (facet = 0; facet < mesh->count && !status; facet++) {
-        if (faces->plane[facet] >= 0) continue;
+    faces->plane_count = faces->general ? mesh->count : 0;
+    for (facet = 0; facet < mesh->count; facet++) faces->plane[facet] = faces->general ? (paradt_index)facet : -1;
+    for (facet = 0; facet < mesh->count && !faces->general && !status; facet++) {
+        if (facet % PARADT__HULL_PACE == 0 && paradt__team_cancels(faces->team, 0, 1.0))
+            status = PARADT_ERROR_CANCELLED;
+        if (faces->plane[facet] >= 0 || status) continue;
         faces->plane[facet] = (paradt_index)faces->plane_count;
         status = paradt__list_append(&stack, (paradt_index)facet, faces->memory);
         while (stack.count && !status) {
@@ -19762,9 +20132,12 @@ PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__me
     size_t facet, point, unknown = 0;
     int i;
     memset(faces->kind, 0, faces->set->count);
-    for (facet = 0; facet < mesh->count; facet++) {
+    for (facet = 0; facet < mesh->count * (size_t)mesh->corners && faces->general; facet++)
+        faces->kind[mesh->vertices[facet]] = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
+    for (facet = 0; facet < mesh->count && !faces->general; facet++) {
         const paradt_index *vertices = mesh->vertices + facet * (size_t)mesh->corners;
         unsigned flat = 0;
+        if (paradt__meter_stops(meter, facet)) return PARADT_ERROR_CANCELLED;
         for (i = 0; i < mesh->corners; i++)
             flat |= (unsigned)paradt__hull_is_flat(faces, (paradt_index)(facet * (size_t)mesh->corners) + i) << i;
         for (i = 0; i < mesh->corners; i++)
@@ -19785,52 +20158,6 @@ PARADT__HOT paradt_status paradt__hull_vertices(paradt__faces *faces, paradt__me
 }
 
 // --- measures
-//
-// The hull is cut into simplices, each the join of a facet with one place, the set's first vertex: none of them has a
-// negative volume. A facet's rows are its vertices less the first one, and then that place less the first one, so that
-// the error is small where the facet is. Coordinates are brought below 1 by a power of two, and the sums back in the
-// end.
-
-// A sum of numbers that are not negative: part i is 0 or a sum of 2^i of them. So each is rounded 64 times at most,
-// and again where the sums of tasks are added.
-typedef struct paradt__cascade {
-    double part[64];
-    uint64_t count;
-} paradt__cascade;
-
-PARADT__INLINE void paradt__cascade_add(paradt__cascade *sum, double x) {
-    uint64_t count = sum->count++;
-    int i = 0;
-    for (; count & 1; count >>= 1, i++) x += sum->part[i];
-    sum->part[i] = x;
-}
-
-static double paradt__cascade_end(const paradt__cascade *sum) {
-    double x = 0;
-    int i;
-    for (i = 0; i < 64; i++) x += sum->count >> i & 1 ? sum->part[i] : 0.0;
-    return x;
-}
-
-typedef struct paradt__measured {
-    paradt__cascade area, area_error, volume, volume_error;
-} paradt__measured;
-
-// Adds the measures of one facet. x: its vertices, then the place that all simplices have in common
-PARADT__INLINE void paradt__hull_add_facet(paradt__measured *sums, paradt__minors_table *table,
-                                           double (*x)[PARADT_MAX_DIM], int k, int ambient) {
-    double error, measure;
-    int i, j;
-    for (i = 0; i < k; i++)
-        for (j = 0; j < ambient; j++) table->row[i][j] = x[i + 1][j] - x[0][j];
-    paradt__minors_of(table, k, ambient);
-    measure = k > 1 ? paradt__minors_measure(table, k - 1, ambient, &error) : (error = 0, 1.0);
-    paradt__cascade_add(&sums->area, measure);
-    paradt__cascade_add(&sums->area_error, error);
-    measure = paradt__minors_measure(table, k, ambient, &error);
-    paradt__cascade_add(&sums->volume, measure);
-    paradt__cascade_add(&sums->volume_error, error);
-}
 
 // Ends a measure of `count` facets: divides the sum by k! and scales it back. unit: the exponent of the coordinates'
 // scale
@@ -19850,58 +20177,22 @@ static double paradt__hull_end_measure(const paradt__cascade *sum, const paradt_
     return value;
 }
 
-typedef struct paradt__measuring_hull {
-    const paradt__faces *faces;
-    paradt__measured sums[PARADT__MOST_TASKS];
-    int unit; // exponent of the scale of the set's coordinates
-} paradt__measuring_hull;
-
-// Measures a task's facets.
-PARADT__HOT void paradt__hull_measure_task(void *context, size_t task) {
-    paradt__measuring_hull *measuring = (paradt__measuring_hull *)context;
-    const paradt__faces *faces = measuring->faces;
-    const paradt__mesh *mesh = faces->mesh;
-    paradt__minors_table table;
-    double x[PARADT_MAX_DIM + 1][PARADT_MAX_DIM];
-    int k = mesh->corners, d = faces->set->space.ambient, unit = measuring->unit, i, j, exact = 1;
-    double factor = unit >= -900 && unit <= 900 ? paradt__power(-unit) : 0.0;
-    size_t facet, end = paradt__loader_range(faces->team, mesh->count, task, &facet);
-    for (; facet < end; facet++) {
-        if (facet % PARADT__HULL_PACE == 0 && paradt__team_cancels(faces->team, task, 1.0)) return;
-        for (i = 0; i <= k; i++) {
-            const double *p =
-                paradt__record(faces->set, i < k ? mesh->vertices[facet * (size_t)k + (size_t)i] : mesh->vertices[0]);
-            for (j = 0; j < d; j++) x[i][j] = factor > 0 ? p[j] * factor : paradt__scale(p[j], -unit, &exact);
-        }
-        if (k == 3 && d == 3) paradt__hull_add_facet(&measuring->sums[task], &table, x, PARADT_MAX_DIM > 2 ? 3 : 2, 3);
-        else paradt__hull_add_facet(&measuring->sums[task], &table, x, k, d);
-    }
-}
-
-// Measures the boundary and the hull.
-static paradt_status paradt__hull_measure(const paradt__faces *faces, paradt_hull *hull) {
-    paradt__measuring_hull measuring;
+// Ends the measures of the boundary and the hull.
+static void paradt__hull_measure(const paradt__faces *faces, paradt_hull *hull) {
     paradt__measured sums;
-    int k = faces->mesh->corners, unit;
+    int k = faces->mesh->corners, unit = faces->scale + faces->unit;
     size_t task;
-    memset(&measuring, 0, sizeof measuring);
     memset(&sums, 0, sizeof sums);
-    measuring.faces = faces;
-    measuring.unit = paradt__max(faces->set->space.coordinates.top, -1000);
-    paradt__team_run(faces->team, paradt__hull_measure_task, &measuring);
-    if (paradt__team_cancelled(faces->team)) return PARADT_ERROR_CANCELLED;
     for (task = 0; task < faces->team->tasks; task++) {
-        paradt__cascade_add(&sums.area, paradt__cascade_end(&measuring.sums[task].area));
-        paradt__cascade_add(&sums.area_error, paradt__cascade_end(&measuring.sums[task].area_error));
-        paradt__cascade_add(&sums.volume, paradt__cascade_end(&measuring.sums[task].volume));
-        paradt__cascade_add(&sums.volume_error, paradt__cascade_end(&measuring.sums[task].volume_error));
+        paradt__cascade_add(&sums.area, paradt__cascade_end(&faces->sums[task].area));
+        paradt__cascade_add(&sums.area_error, paradt__cascade_end(&faces->sums[task].area_error));
+        paradt__cascade_add(&sums.volume, paradt__cascade_end(&faces->sums[task].volume));
+        paradt__cascade_add(&sums.volume_error, paradt__cascade_end(&faces->sums[task].volume_error));
     }
-    unit = measuring.unit + faces->unit;
     hull->area =
         paradt__hull_end_measure(&sums.area, &sums.area_error, faces->mesh->count, k - 1, unit, &hull->area_error);
     hull->volume =
         paradt__hull_end_measure(&sums.volume, &sums.volume_error, faces->mesh->count, k, unit, &hull->volume_error);
-    return PARADT_OK;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -19981,16 +20272,11 @@ static paradt_status paradt__hull_load(paradt__hull_work *work, const paradt_poi
     return work->options.flags & PARADT_FULL_DIM && work->set.space.dim < points->dim ? PARADT_ERROR_FLAT : PARADT_OK;
 }
 
-// The caller's index of a position
-PARADT__INLINE paradt_index paradt__hull_index(const paradt__hull_work *work, paradt_index position) {
-    paradt_index index = work->set.origin[position];
-    return work->kept ? work->kept[index] : index;
-}
-
 // Lists the vertices, the extreme ones first. kind: [set.count] as in struct paradt__faces
 PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsigned char *kind, paradt_hull *hull) {
     const unsigned char extreme = PARADT__HULL_VERTEX | PARADT__HULL_EXTREME;
     size_t i, pass, listed = 0;
+    paradt_status status = PARADT_OK;
     unsigned char *sorted = (unsigned char *)paradt__alloc(&work->memory, work->kept_count, 1); // kinds by index
     for (i = 0; i < work->set.count; i++) {
         hull->vertex_count += kind[i] != 0;
@@ -20003,14 +20289,15 @@ PARADT__HOT paradt_status paradt__hull_list(paradt__hull_work *work, const unsig
     }
     memset(sorted, 0, work->kept_count);
     for (i = 0; i < work->set.count; i++) sorted[work->set.origin[i]] = kind[i];
-    for (pass = 0; pass < 2; pass++) {
-        for (i = 0; i < work->kept_count; i++) {
+    for (pass = 0; pass < 2 && !status; pass++) {
+        for (i = 0; i < work->kept_count && !status; i++) {
+            if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
             if (sorted[i] && (sorted[i] == extreme) == !pass)
                 hull->vertices[listed++] = work->kept ? work->kept[i] : (paradt_index)i;
         }
     }
     paradt__release(&work->memory, sorted);
-    return PARADT_OK;
+    return status;
 }
 
 // Returns the exponent by which the set's coordinates are smaller than the caller's: see paradt__set_scale.
@@ -20037,9 +20324,10 @@ static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull 
     faces.plane = hull->plane = (paradt_index *)paradt__alloc(&work->memory, work->mesh.count, sizeof *faces.plane);
     faces.kind = (unsigned char *)paradt__alloc(&work->memory, work->set.count, 1);
     status = faces.flat && faces.plane && faces.kind ? PARADT_OK : PARADT_ERROR_MEMORY;
-    if (!status) status = paradt__hull_planes(&faces, &counters);
+    if (!status) status = paradt__hull_look(&faces, &counters);
+    if (!status) status = paradt__hull_planes(&faces);
     if (!status) status = paradt__hull_vertices(&faces, &work->meter);
-    if (!status) status = paradt__hull_measure(&faces, hull);
+    if (!status) paradt__hull_measure(&faces, hull);
     if (!status) status = paradt__hull_list(work, faces.kind, hull);
     hull->plane_count = faces.plane_count;
     paradt__count_predicates(&work->stats, &counters);
@@ -20048,21 +20336,58 @@ static paradt_status paradt__hull_describe(paradt__hull_work *work, paradt_hull 
     return status;
 }
 
+// Facets that are handed over by tasks
+typedef struct paradt__hull_rows {
+    const paradt__hull_work *work;
+    const paradt__team *team;
+    int neighbors; // links become the numbers of facets
+} paradt__hull_rows;
+
+PARADT__INLINE void paradt__hull_emit(const paradt__hull_work *work, size_t i, size_t end, int neighbors,
+                                      paradt__tag corners) {
+    const paradt_index *kept = work->kept, *origin = work->set.origin;
+    paradt_index *vertices = work->mesh.vertices, *links = work->mesh.links;
+    for (; i < end; i++) {
+        paradt_index index = origin[vertices[i]];
+        vertices[i] = kept ? kept[index] : index;
+        if (neighbors) links[i] = (paradt_index)((paradt__tag)links[i] / corners);
+    }
+}
+
+PARADT__HOT void paradt__hull_rows_task(void *context, size_t task) {
+    const paradt__hull_rows *rows = (const paradt__hull_rows *)context;
+    const paradt__mesh *mesh = &rows->work->mesh;
+    const size_t pace = (size_t)PARADT__HULL_PACE * (size_t)mesh->corners;
+    size_t i, next, end = paradt__loader_range(rows->team, mesh->count * (size_t)mesh->corners, task, &i);
+    for (; i < end; i = next) {
+        next = end - i < pace ? end : i + pace;
+        if (paradt__team_cancels(rows->team, task, 1.0)) return;
+        if (mesh->corners == 3) paradt__hull_emit(rows->work, i, next, rows->neighbors, 3);
+        else if (mesh->corners == 4) paradt__hull_emit(rows->work, i, next, rows->neighbors, 4);
+        else if (mesh->corners == 5) paradt__hull_emit(rows->work, i, next, rows->neighbors, 5);
+        else paradt__hull_emit(rows->work, i, next, rows->neighbors, (paradt__tag)mesh->corners);
+    }
+}
+
 // Hands the facets over: vertices become the caller's indices, links what the flags ask for.
-PARADT__HOT void paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
+static paradt_status paradt__hull_deliver(paradt__hull_work *work, paradt_hull *hull) {
     paradt__mesh *mesh = &work->mesh;
-    size_t i, all = mesh->count * (size_t)mesh->corners;
-    for (i = 0; i < all; i++) mesh->vertices[i] = paradt__hull_index(work, mesh->vertices[i]);
+    paradt__team team = paradt__hull_team(work, PARADT__HULL_ENDS);
+    paradt__hull_rows rows;
+    rows.work = work;
+    rows.team = &team;
+    rows.neighbors = !(work->options.flags & (PARADT_NO_NEIGHBORS | PARADT_FACETS));
+    paradt__team_run(&team, paradt__hull_rows_task, &rows);
+    if (paradt__team_cancelled(&team)) return PARADT_ERROR_CANCELLED;
     if (work->options.flags & PARADT_NO_NEIGHBORS) {
         paradt__release(&work->memory, mesh->links);
         mesh->links = NULL;
-    } else if (!(work->options.flags & PARADT_FACETS)) {
-        for (i = 0; i < all; i++) mesh->links[i] /= mesh->corners;
     }
     hull->facet_count = mesh->count;
     hull->facets = mesh->vertices;
     hull->neighbors = mesh->links;
     mesh->vertices = mesh->links = NULL;
+    return PARADT_OK;
 }
 
 // Builds the hull of the set and finds what its facets are together.
@@ -20076,7 +20401,7 @@ static paradt_status paradt__hull_build(paradt__hull_work *work, paradt_hull *hu
     status = paradt__hull_mesh(&work->set, &team, &work->memory, &work->mesh, &counters);
     paradt__count_predicates(&work->stats, &counters);
     if (!status) status = paradt__hull_describe(work, hull);
-    if (!status) paradt__hull_deliver(work, hull);
+    if (!status) status = paradt__hull_deliver(work, hull);
     return status;
 }
 
@@ -20328,18 +20653,26 @@ PARADT__INLINE paradt_status paradt__given_link_all(const paradt__mesh *mesh, si
 // cells and neighbours. facets: these are half-facets. After an error the caller frees the mesh.
 PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const paradt_triangulation *t, int facets,
                                                   paradt__memory *memory, paradt__meter *meter) {
+    enum { PACE = 1 << 16 }; // cells between two looks at whether the call is cancelled
     size_t corners = (size_t)(t->dim + 1), count = t->cell_count, hull = 0, i;
     paradt_status status;
     PARADT_ASSERT(t->dim >= 1 && t->cells && t->neighbors);
     paradt__mesh_begin(mesh, t->dim + 1, 0);
     if (count > paradt__most_cells(mesh->corners)) return PARADT_ERROR_INVALID;
-    for (i = 0; i < count * corners; i++) hull += t->neighbors[i] < 0;
+    for (i = 0; i < count * corners; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        hull += t->neighbors[i] < 0;
+    }
     status = paradt__mesh_reserve(mesh, count + hull, count + hull, memory);
     if (status) return status;
-    mesh->count = count;
-    paradt__mesh_make_pages(mesh, count + hull);
-    memcpy(mesh->vertices, t->cells, count * corners * sizeof *t->cells);
-    memcpy(mesh->links, t->neighbors, count * corners * sizeof *t->neighbors);
+    for (i = 0; i < count; i += PACE) { // rows are copied when their pages have been made
+        size_t end = count - i > PACE ? i + PACE : count, bytes = (end - i) * corners * sizeof *t->cells;
+        if (paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        mesh->count = end;
+        paradt__mesh_make_pages(mesh, end < count ? end : count + hull);
+        memcpy(mesh->vertices + i * corners, t->cells + i * corners, bytes);
+        memcpy(mesh->links + i * corners, t->neighbors + i * corners, bytes);
+    }
     status = corners == 4 ? paradt__given_link_all(mesh, t->point_count, facets, meter, 4)
                           : paradt__given_link_all(mesh, t->point_count, facets, meter, mesh->corners);
     return status ? status : paradt__given_ghosts(mesh, memory);
@@ -21341,6 +21674,7 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
         for (i = 0; i < corners; i++) r->hull += links[i] < 0;
         if (spheres && cell % PARADT__TOGETHER == 0)
             known = cell + PARADT__TOGETHER <= mesh.count ? fine(build, cell) : 0;
+        if (spheres && cell % PARADT__TOGETHER == 0) PARADT_CLAIM(fine, build, cell, known);
         if (!(known & 1)) status = paradt__repair_ask(r, cell);
     }
     return status;
@@ -22820,6 +23154,7 @@ PARADT__INLINE paradt__power_of paradt__power_at(const paradt__scene *scene, con
     power.value = weighted ? sum - p[ambient] : sum;
     power.error = PARADT__POWER_FACTOR * size + scene->space.tiny;
     power.vertex = vertex;
+    PARADT_CLAIM(distance, scene, x, p, ambient, weighted, power.value, power.error);
     return power;
 }
 
@@ -23136,21 +23471,27 @@ static void paradt__relation_rewind(paradt__relation *lists, size_t points) {
     lists->first[0] = 0;
 }
 
-// Lists the cells of each point, ascending. INVALID: a vertex is no point. After an error the caller frees the lists.
+// Lists the cells of each point, ascending. INVALID: a vertex is no point. meter: NULL, or asked now and then. After an
+// error the caller frees the lists.
 static paradt_status paradt__relation_of_cells(paradt__relation *lists, const paradt_index *cells, size_t count,
-                                               int corners, size_t points, paradt__memory *memory) {
+                                               int corners, size_t points, paradt__memory *memory,
+                                               paradt__meter *meter) {
     size_t all = count * (size_t)corners, i;
     paradt_status status;
     lists->first = (size_t *)paradt__alloc(memory, points + 1, sizeof *lists->first);
     if (!lists->first) return PARADT_ERROR_MEMORY;
     memset(lists->first, 0, (points + 1) * sizeof *lists->first);
     for (i = 0; i < all; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
         if ((paradt__tag)cells[i] >= (paradt__tag)points) return PARADT_ERROR_INVALID;
         lists->first[cells[i] + 1]++;
     }
     status = paradt__relation_sum(lists, points, memory);
     if (status) return status;
-    for (i = 0; i < all; i++) lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    for (i = 0; i < all; i++) {
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
+        lists->items[lists->first[cells[i]]++] = (paradt_index)(i / (size_t)corners);
+    }
     paradt__relation_rewind(lists, points);
     return PARADT_OK;
 }
@@ -23239,7 +23580,7 @@ static paradt_status paradt__adjacency_make(paradt__relation *lists, const parad
     memset(&neighbors, 0, sizeof neighbors);
     paradt__meter_begin(&meter, NULL);
     *count = t->point_count;
-    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory);
+    status = paradt__relation_of_cells(&cells, t->cells, t->cell_count, t->dim + 1, *count, memory, NULL);
     if (what == PARADT_VERTEX_CELLS) {
         *lists = cells;
         return status;
@@ -23826,7 +24167,7 @@ static paradt_status paradt__locating_help(paradt__locating *work) {
     status = paradt__starts_make(&locator->starts, &points, set->space.ambient, &locator->memory, &work->meter);
     if (!status)
         status = paradt__relation_of_cells(&cells, mesh->vertices, work->t->cell_count, mesh->corners, set->count,
-                                           &locator->memory);
+                                           &locator->memory, &work->meter);
     if (!status)
         status = paradt__relation_of_neighbors(&locator->neighbors, &cells, mesh->vertices, mesh->corners, set->count,
                                                &locator->memory, &work->meter);
@@ -24297,6 +24638,7 @@ typedef struct paradt__opening {
 typedef struct paradt__filling {
     paradt__list points;  // Q, positions: first the link's vertices
     size_t link_count;    // number of these
+    int polygon;          // the link is one, and its vertices and the rim are in order, counterclockwise
     size_t count;         // cells and ghosts that fill the hole
     paradt__list rows;    // [count][corners] vertices
     paradt__list links;   // [count][corners] handles in the filling, or ~ handles in the mesh
@@ -24408,13 +24750,86 @@ PARADT__INLINE paradt_index *paradt__filling_pair(const paradt__filling *f, para
     return f->numbers.items + 2 * at;
 }
 
+// Notes a cell of a polygon: its number `at`, and where in its row the vertex is. Returns 0 for a ghost.
+PARADT__INLINE int paradt__polygon_note(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+                                        paradt_index place, size_t at, int *where) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    const paradt_index base = 3 * place, *row = mesh->vertices + base;
+    if ((row[0] | row[1] | row[2]) < 0) return 0;
+    *where = row[1] == vertex ? 1 : row[2] == vertex ? 2 : 0;
+    build->update.killed[at] = base;
+    build->rim[at] = base + *where;
+    f->points.items[at] = row[(*where + 1) % 3];
+    PARADT__PREFETCH_TO_WRITE(mesh->links + mesh->links[base + *where]);
+    PARADT__PREFETCH(paradt__scene_record(&build->scene, f->points.items[at]));
+    return 1;
+}
+
+// Collects the hole of a vertex in the plane by turning around it both ways, as each step waits for memory: cells, rim
+// and link in order, counterclockwise. There is room for twice as many as there may be. Returns 0 if there are too
+// many, or the vertex is on the hull.
+static int paradt__polygon_turn(paradt__filling *f, paradt__insertion *build, paradt_index vertex, paradt_index cell) {
+    enum { MOST = PARADT__MOST_WRAPPED };
+    const paradt_index *links = build->scene.mesh.links;
+    paradt_index ahead = cell, back = cell;
+    size_t first = MOST, last = MOST, count; // back is number `first`, ahead is number `last`
+    int at, at_back;
+    if (!paradt__polygon_note(f, build, vertex, cell, first, &at)) return 0;
+    for (at_back = at;;) {
+        paradt_index next = links[3 * ahead + (at + 1) % 3] / 3, before = links[3 * back + (at_back + 2) % 3] / 3;
+        paradt__fetch_row(build->scene.mesh.vertices, links, (size_t)next, 3);
+        paradt__fetch_row(build->scene.mesh.vertices, links, (size_t)before, 3);
+        if (next == back) break;
+        if (last - first + 3 > MOST || !paradt__polygon_note(f, build, vertex, next, ++last, &at)) return 0;
+        if (next == before) break;
+        if (!paradt__polygon_note(f, build, vertex, before, --first, &at_back)) return 0;
+        ahead = next;
+        back = before;
+    }
+    count = last - first + 1;
+    memmove(build->update.killed, build->update.killed + first, count * sizeof(paradt_index));
+    memmove(build->rim, build->rim + first, count * sizeof(paradt_index));
+    memmove(f->points.items, f->points.items + first, count * sizeof(paradt_index));
+    build->update.killed_count = build->rim_count = f->points.count = f->link_count = count;
+    return 1;
+}
+
+// Gives the link's vertices the numbers that they have where the link has not been collected in order.
+static paradt_status paradt__filling_number(paradt__filling *f, paradt__memory *memory) {
+    size_t i;
+    paradt_status status = paradt__filling_number_room(f, f->link_count, memory);
+    for (i = 0; i < f->link_count && !status; i++) {
+        paradt_index *pair = paradt__filling_pair(f, f->points.items[i]);
+        pair[0] = f->points.items[i];
+        pair[1] = (paradt_index)i;
+    }
+    return status;
+}
+
+// Turns around a vertex if it can be done.
+static paradt_status paradt__filling_polygon(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+                                             paradt_index cell) {
+    enum { ROOM = 2 * PARADT__MOST_WRAPPED };
+    paradt__update *update = &build->update;
+    paradt_status status;
+    f->polygon = 0;
+    if (build->scene.mesh.corners != 3) return PARADT_OK;
+    status = paradt__list_room(&update->killed, 0, &update->killed_capacity, ROOM, build->memory);
+    if (!status) status = paradt__list_room(&build->rim, 0, &build->rim_capacity, ROOM, build->memory);
+    if (!status) status = paradt__list_room(&f->points.items, 0, &f->points.capacity, ROOM, build->memory);
+    if (!status) f->polygon = paradt__polygon_turn(f, build, vertex, cell);
+    return status;
+}
+
 // Collects the hole of a vertex: its cells and ghosts, its rim, and the vertices of the link.
 static paradt_status paradt__filling_star(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
                                           paradt_index cell) {
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt_index corners = mesh->corners, i;
     size_t most, at;
-    paradt_status status = paradt__filling_cells(build, vertex, cell);
+    paradt_status status = paradt__filling_polygon(f, build, vertex, cell);
+    if (status || f->polygon) return status;
+    status = paradt__filling_cells(build, vertex, cell);
     if (status) return status;
     most = build->update.killed_count + (size_t)corners; // as a cell has at most one vertex that cells before lack
     status = paradt__filling_number_room(f, most, build->memory);
@@ -24646,8 +25061,8 @@ static paradt_status paradt__wrap_cell(paradt__filling *f, size_t opening, int a
 // ---------------------------------------------------------------------------------------------------------------------
 // >>filling holes
 //
-// Holes of vertices are filled: in any dimension by exact predicates alone, in space faster, and with many points by
-// their triangulation.
+// Holes of vertices are filled: in any dimension by exact predicates alone, in space and in the plane faster, and with
+// many points by their triangulation.
 //
 // In space, where spheres are kept, floating point proposes the point for a facet and proves that it is right. Among
 // the spheres through a facet the power of a point changes by a multiple of its height over the facet; of all points at
@@ -24875,16 +25290,17 @@ static paradt_status paradt__wrap(paradt__filling *f, paradt__insertion *build, 
     paradt_status status = paradt__wrap_begin(f, build);
 #if PARADT_MAX_DIM >= 3
     const paradt__wrap_kernels kernels = paradt__choose_wrap_kernels();
-    if (!status && build->kept) paradt__wrap_centre(f, paradt__scene_record(scene, vertex));
+    const int spheres = build->kept && !scene->space.weighted;
+    if (!status && spheres) paradt__wrap_centre(f, paradt__scene_record(scene, vertex));
 #endif
     (void)vertex;
     for (at = 0; at < f->opening_count && !status; at++) {
         if (f->openings[at].closed || f->openings[at].mask >> PARADT__INFINITE_BIT) continue;
 #if PARADT_MAX_DIM >= 3
-        if (build->kept) status = paradt__wrap_sphere_room(f, build->memory);
+        if (spheres) status = paradt__wrap_sphere_room(f, build->memory);
         if (status) break;
-        apex = build->kept ? paradt__wrap_apex_in_space(f, scene, f->openings + at, &kernels)
-                           : paradt__wrap_apex(f, scene, f->openings + at);
+        apex = spheres ? paradt__wrap_apex_in_space(f, scene, f->openings + at, &kernels)
+                       : paradt__wrap_apex(f, scene, f->openings + at);
 #else
         apex = paradt__wrap_apex(f, scene, f->openings + at);
 #endif
@@ -25028,10 +25444,329 @@ static paradt_status paradt__fill_by_insertion(paradt__filling *f, const paradt_
     return status;
 }
 
+// --- polygons
+
+// A part of the polygon that is not filled yet: a chain of its vertices, and the edge from the last to the first
+typedef struct paradt__chain {
+    int first, last;
+    paradt_index behind; // mirror of that edge: a handle in the filling, or ~ a handle in the mesh
+} paradt__chain;
+
+// Returns the vertex that makes a cell with the edge of a chain: as paradt__wrap_apex, but among the chain's vertices
+// alone, for the cell is in that part of the polygon. A single one needs no test.
+static int paradt__chain_apex(const paradt__filling *f, paradt__scene *scene, const paradt__chain *chain) {
+    const double *p[4];
+    int best = chain->first + 1, i;
+    if (chain->last - chain->first == 2) return best;
+    p[0] = f->record[chain->first];
+    p[2] = f->record[chain->last];
+    for (;; best++) {
+        p[1] = f->record[best];
+        if (best + 1 == chain->last || paradt__orient(&scene->space, p) > 0) break;
+    }
+    for (i = best + 1; i < chain->last; i++) {
+        p[3] = f->record[i];
+        if (!paradt__conflict(&scene->space, p)) continue;
+        best = i;
+        p[1] = p[3];
+    }
+    return best;
+}
+
+// Ties one of the two edges that a new cell opens: to the rim, or to the cell to come.
+static void paradt__chain_open(paradt__filling *f, const paradt__insertion *build, paradt__chain *stack, int *count,
+                               int first, int last, paradt_index handle) {
+    paradt__chain *chain = stack + *count;
+    if (last - first == 1) {
+        f->links.items[handle] = ~build->scene.mesh.links[build->rim[first]];
+        return;
+    }
+    chain->first = first;
+    chain->last = last;
+    chain->behind = handle;
+    ++*count;
+}
+
+// Fills a hole in the plane whose link is a polygon without other points: a cell on an edge divides what is left.
+static paradt_status paradt__fill_polygon(paradt__filling *f, paradt__insertion *build) {
+    paradt__scene *scene = &build->scene;
+    paradt__chain stack[PARADT__MOST_WRAPPED];
+    int corners = (int)f->points.count, count = 1, i;
+    paradt_status status;
+    f->count = 0;
+    status = paradt__filling_room(f, (size_t)corners, 3, build->memory);
+    if (status) return status;
+    for (i = 0; i < corners; i++) f->record[i] = paradt__scene_record(scene, f->points.items[i]);
+    stack[0].first = 0;
+    stack[0].last = corners - 1;
+    stack[0].behind = ~scene->mesh.links[build->rim[corners - 1]];
+    while (count) {
+        const paradt__chain chain = stack[--count];
+        const int apex = paradt__chain_apex(f, scene, &chain);
+        const paradt_index base = 3 * (paradt_index)f->count++;
+        f->rows.items[base] = f->points.items[chain.first];
+        f->rows.items[base + 1] = f->points.items[apex];
+        f->rows.items[base + 2] = f->points.items[chain.last];
+        f->links.items[base + 1] = chain.behind;
+        if (chain.behind >= 0) f->links.items[chain.behind] = base + 1;
+        paradt__chain_open(f, build, stack, &count, chain.first, apex, base + 2);
+        paradt__chain_open(f, build, stack, &count, apex, chain.last, base);
+    }
+    return PARADT_OK;
+}
+
 // Makes the filling of the hole of a vertex, which has been collected; the mesh is left as it is.
 static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion *build, paradt_index vertex) {
+    paradt_status status = PARADT_OK;
+    if (f->polygon && f->points.count == f->link_count) return paradt__fill_polygon(f, build);
     if (f->points.count > PARADT__MOST_WRAPPED) return paradt__fill_by_insertion(f, build, vertex);
-    return paradt__wrap(f, build, vertex);
+    if (f->polygon) status = paradt__filling_number(f, build->memory);
+    return status ? status : paradt__wrap(f, build, vertex);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// >>past of a living set
+//
+// What is kept of all cells that there were, for a living set whose points are located by them: the Delaunay tree or
+// the history dag. Its points only come. What is kept hangs on positions, which stay what they are until the set is
+// made anew; then this is, too: where the dimension changes, where many points come at once, and where a point comes to
+// the place of a lighter one, as the records of dead cells' vertices are still asked for.
+//
+// Nodes are numbered as they come. So those of a change that is undone are the last ones, and they come first among
+// the sons and the stepsons of nodes before them.
+// Doors: paradt__past_*.
+
+typedef struct paradt__past {
+    paradt_method method; // PARADT_AUTO: nothing is kept
+    size_t before;        // nodes when the change began
+    paradt__list killed;  // nodes of the cells that were there then, in the order in which the change killed them
+#ifndef PARADT_NO_TREE
+    paradt__tree tree;
+#endif
+#ifndef PARADT_NO_FLIPS
+    paradt__flips flips; // its insertion is that of the set, which is lent to it for each point
+    uint64_t counts[PARADT_MAX_DIM + 2];
+#endif
+} paradt__past;
+
+// Can points be located that way?
+static int paradt__past_is_possible(paradt_method method) {
+#ifndef PARADT_NO_TREE
+    if (method == PARADT_DELAUNAY_TREE) return 1;
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (method == PARADT_FLIP) return 1;
+#endif
+    return method == PARADT_AUTO;
+}
+
+#ifndef PARADT_NO_FLIPS
+// Takes back the insertion that flips have been lent.
+static void paradt__past_take_back(paradt__past *past, paradt__insertion *build) {
+    *build = past->flips.flipper.build;
+    memset(&past->flips.flipper.build, 0, sizeof *build);
+}
+#endif
+
+// Says whose memory it is, after the set has moved.
+static void paradt__past_own(paradt__past *past, paradt__memory *memory) {
+#ifndef PARADT_NO_TREE
+    past->tree.memory = memory;
+#endif
+#ifndef PARADT_NO_FLIPS
+    past->flips.flipper.build.memory = memory;
+    past->flips.counts = past->counts;
+#endif
+    (void)past;
+    (void)memory;
+}
+
+static void paradt__past_free(paradt__past *past, paradt__memory *memory) {
+    paradt__past_own(past, memory);
+#ifndef PARADT_NO_TREE
+    paradt__tree_free(&past->tree);
+#endif
+#ifndef PARADT_NO_FLIPS
+    paradt__flips_free(&past->flips);
+#endif
+    paradt__list_free(&past->killed, memory);
+}
+
+// Builds the mesh of a set, and what is kept of it. past: zero but for the method
+static paradt_status paradt__past_build(paradt__past *past, paradt__work *work) {
+    paradt__progress progress;
+    paradt__counters counters;
+    paradt_status status = PARADT_OK;
+    if (past->method == PARADT_AUTO || work->set.space.dim <= 0) return paradt__build_mesh(work);
+    if (past->method == PARADT_DELAUNAY_TREE) status = paradt__grade_for_insertion(work);
+    if (status) return status;
+    paradt__begin_way(work);
+    progress = paradt__whole_progress(work);
+    memset(&counters, 0, sizeof counters);
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE)
+        status = paradt__tree_build(&past->tree, &work->set, &work->memory, &work->mesh, &progress, &counters);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        status = paradt__flips_build(&past->flips, &work->set, &work->memory, &work->mesh, &progress, &counters,
+                                     past->counts);
+        paradt__insertion_rest(&past->flips.flipper.build);
+        memset(&past->flips.flipper.build, 0, sizeof past->flips.flipper.build);
+        past->flips.flipper.build.memory = &work->memory;
+    }
+#endif
+    (void)progress;
+    paradt__count_predicates(work->stats, &counters);
+    return status;
+}
+
+// The number of nodes, or NULL: nothing is kept
+static size_t *paradt__past_nodes(paradt__past *past) {
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) return &past->tree.nodes.count;
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) return &past->flips.history.count;
+#endif
+    (void)past;
+    return NULL;
+}
+
+// Begins a change.
+static void paradt__past_begin(paradt__past *past) {
+    const size_t *nodes = paradt__past_nodes(past);
+    past->before = nodes ? *nodes : 0;
+    past->killed.count = 0;
+}
+
+// Makes room for killing and making so many cells of a mesh, which has room for them.
+static paradt_status paradt__past_room(paradt__past *past, const paradt__mesh *mesh, size_t killed, size_t made,
+                                       paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    if (past->method == PARADT_AUTO) return PARADT_OK;
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) status = paradt__tree_room(&past->tree, mesh, made);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) status = paradt__flips_room(&past->flips, mesh, made, memory);
+#endif
+    (void)mesh;
+    (void)made;
+    if (status) return status;
+    return paradt__list_room(&past->killed.items, past->killed.count, &past->killed.capacity,
+                             past->killed.count + killed, memory);
+}
+
+// Is told that a cell, which was there before the change, is about to die.
+static void paradt__past_kill(paradt__past *past, paradt_index place) {
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) past->killed.items[past->killed.count++] = past->tree.at[place];
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) past->killed.items[past->killed.count++] = past->flips.at[place].node;
+#endif
+    (void)past;
+    (void)place;
+}
+
+// Gives the cell that is number `at` of those killed its place again. Cells made since are gone.
+static void paradt__past_revive(paradt__past *past, size_t at, paradt_index place) {
+    paradt_index node = past->killed.items[at];
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) {
+        past->tree.at[place] = node;
+        paradt__tree_at(&past->tree, node)->place = place;
+    }
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        past->flips.at[place].node = node;
+        paradt__history_node(&past->flips.history, node)[PARADT__NODE_CHILD] = -1 - place;
+    }
+#endif
+    (void)node;
+    (void)place;
+}
+
+#ifndef PARADT_NO_TREE
+// Takes the nodes from `before` on out of the lists of those before them.
+static void paradt__tree_cut(const paradt__tree *tree, size_t before) {
+    size_t i;
+    for (i = 0; i < before; i++) {
+        paradt__tree_node *node = paradt__tree_at(tree, (paradt_index)i);
+        while (node->son >= (paradt_index)before) node->son = paradt__tree_at(tree, node->son)->brother;
+        while (node->stepson >= (paradt_index)before) node->stepson = paradt__tree_at(tree, node->stepson)->stepbrother;
+    }
+}
+#endif
+
+// Undoes a change, but for what paradt__past_revive does afterwards.
+static void paradt__past_undo(paradt__past *past) {
+    size_t *nodes = paradt__past_nodes(past);
+    if (!nodes) return;
+#ifndef PARADT_NO_TREE
+    if (past->method == PARADT_DELAUNAY_TREE) paradt__tree_cut(&past->tree, past->before);
+#endif
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) { // positions may be others' later, and what was asked of them is no answer then
+        size_t i;
+        for (i = 0; i < past->flips.places; i++) past->flips.at[i].asked = 0;
+    }
+#endif
+    *nodes = past->before;
+}
+
+// Says after undoing that a cell lives, from which searches may start.
+static void paradt__past_restart(paradt__past *past, paradt_index cell) {
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) past->flips.recent = past->flips.at[cell].node;
+#endif
+    (void)past;
+    (void)cell;
+}
+
+// Finds a cell for x: by the tree one in conflict, or if x is where a vertex is one that has it; by the history the one
+// that contains x; or PARADT__NOWHERE where the tree knows of none, as x is hidden or where a vertex is. start: a cell
+static paradt_status paradt__past_locate(paradt__past *past, paradt__scene *scene, paradt_index start, const double *x,
+                                         paradt_index *found) {
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        past->flips.recent = past->flips.at[start].node;
+        *found = paradt__flips_find(&past->flips, scene, x, scene->mesh.corners);
+        return PARADT_OK;
+    }
+#endif
+#ifndef PARADT_NO_TREE
+    return paradt__tree_locate(&past->tree, scene, start, x, found);
+#else
+    (void)past;
+    (void)scene;
+    (void)x;
+    *found = start;
+    return PARADT_OK;
+#endif
+}
+
+// Inserts a point, with which `cell` is in conflict: for the history it also contains the point.
+static paradt_status paradt__past_insert(paradt__past *past, paradt__insertion *build, paradt_index point,
+                                         paradt_index cell) {
+    paradt_status status;
+#ifndef PARADT_NO_FLIPS
+    if (past->method == PARADT_FLIP) {
+        past->flips.flipper.build = *build;
+        status = paradt__flips_insert(&past->flips, point, cell);
+        paradt__past_take_back(past, build);
+        build->scene.hint = -1 - paradt__history_node(&past->flips.history, past->flips.recent)[PARADT__NODE_CHILD];
+        return status;
+    }
+#endif
+    status = build->kept ? paradt__insert_one_more(build, point, cell) : paradt__insert_at(build, point, cell);
+#ifndef PARADT_NO_TREE
+    if (!status && past->method == PARADT_DELAUNAY_TREE) status = paradt__tree_record(&past->tree, build, point);
+#endif
+    (void)past;
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -25049,14 +25784,9 @@ static paradt_status paradt__filling_make(paradt__filling *f, paradt__insertion 
 // A hidden point hangs on a cell that it is in. When cells die their hidden points are walked to the cells that come
 // instead, or have become vertices. Hidden places are found by a hash of their coordinates, others by the walk.
 //
-// A change begins with paradt__living_begin, and ends with paradt__living_publish or paradt__living_undo. In between,
-// paradt__living_prepare is told of each hole before it is filled, and paradt__living_settle afterwards. The journal
-// has the rows of cells that were there when the change began, each once, links between two such cells that were cut,
-// and what was in columns and records. A cell made by the change has the mark PARADT__FRESH.
-//
 // The box of the space is that of all points that ever were, and more: a point outside doubles it on that side, so that
 // it is seldom measured anew.
-// Doors: paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__mesh_has, PARADT__VERIFY_LIVING.
+// Doors: struct paradt_dynamic, paradt__living_*, paradt__heap_*, paradt__alike_*, paradt__list_more, paradt__mesh_has.
 
 enum {
     // by id
@@ -25096,6 +25826,7 @@ struct paradt_dynamic {
     paradt__filling filling;
     paradt__starts starts; // where searches start
     size_t starts_for;     // number of vertices when they were made; 0: they were not
+    paradt__past past;     // what points are located by
     int ambient, weighted;
     int dim;                  // of the points; -1: there are none
     int axes[PARADT_MAX_DIM]; // the caller's axis that each coordinate of a record is along
@@ -25193,6 +25924,13 @@ static paradt_status paradt__living_position_room(paradt_dynamic *d, size_t coun
     return PARADT_OK;
 }
 
+// Makes room for the numbers that kept spheres give to so many positions: a hidden one, too, may be a vertex later.
+PARADT__INLINE paradt_status paradt__living_number_room(paradt_dynamic *d, size_t count) {
+    const paradt__kept *kept = d->build.kept;
+    if (!kept || PARADT__LIKELY(count < kept->numbers)) return PARADT_OK;
+    return paradt__kept_more_numbers(&d->build, count + count / 8 + 64) ? PARADT_OK : PARADT_ERROR_MEMORY;
+}
+
 // Makes the columns of the heap, once there are points at one place.
 static paradt_status paradt__living_heap_room(paradt_dynamic *d) {
     int column;
@@ -25209,6 +25947,7 @@ static void paradt__living_free(paradt_dynamic *d) {
     paradt__insertion_end(&d->build);
     paradt__filling_free(&d->filling, memory);
     paradt__starts_free(&d->starts, memory);
+    paradt__past_free(&d->past, memory);
     for (column = 0; column < PARADT__COLUMNS; column++) paradt__release(memory, d->column[column]);
     paradt__release(memory, d->records);
     paradt__release(memory, d->plain);
@@ -25465,7 +26204,20 @@ PARADT__INLINE int paradt__mesh_has(const paradt__mesh *mesh, paradt_index place
     return has && row[0] != PARADT__DEAD;
 }
 
-// --- changes of the mesh
+// ---------------------------------------------------------------------------------------------------------------------
+// >>journal of a living set
+//
+// How changes of a living set are noted and undone.
+//
+// A change begins with paradt__living_begin, and ends with paradt__living_publish or paradt__living_undo. In between,
+// paradt__living_prepare is told of each hole before it is filled, and paradt__living_settle afterwards. The journal
+// has the rows of cells that were there when the change began, each once, links between two such cells that were cut,
+// and what was in columns and records. A cell made by the change has the mark PARADT__FRESH.
+//
+// Flips make a hole each. Between them the mesh is no T(P), in which one could walk; so hidden places and vertices that
+// may be hidden are collected from all of them, and settled after the last.
+// Doors: paradt__living_begin, paradt__living_publish, paradt__living_undo, paradt__living_prepare,
+// paradt__living_settle, paradt__living_watch, PARADT__VERIFY_LIVING.
 
 // Makes room for all that replacing the cells of a hole takes. made: number of new cells
 static paradt_status paradt__living_mesh_room(paradt_dynamic *d, size_t made) {
@@ -25481,6 +26233,7 @@ static paradt_status paradt__living_mesh_room(paradt_dynamic *d, size_t made) {
     if (!status) status = paradt__list_more(&d->made, made, &d->memory);
     if (!status) status = paradt__list_more(&d->killed, killed * (1 + 2 * corners), &d->memory);
     if (!status) status = paradt__list_more(&d->torn, 2 * build->rim_count, &d->memory);
+    if (!status) status = paradt__past_room(&d->past, mesh, killed, made, &d->memory);
     if (!status) status = paradt__list_more(&d->killed_numbers, killed, &d->memory);
     if (!status) status = paradt__list_more(&d->killed_vertices, killed * corners, &d->memory);
     if (!status && d->weighted && mesh->capacity > d->hung_room) {
@@ -25527,7 +26280,7 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
     paradt_index corners = mesh->corners;
     size_t i, j, row = (size_t)corners;
     paradt_status status = paradt__living_mesh_room(d, made);
-    d->loose.count = d->suspects.count = 0;
+    if (d->past.method != PARADT_FLIP) d->loose.count = d->suspects.count = 0;
     for (i = 0; i < build->update.killed_count && d->weighted && !status; i++)
         status = paradt__living_loosen(d, paradt__mesh_cell(mesh, build->update.killed[i]));
     if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
@@ -25559,15 +26312,12 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
         memcpy(to + 1, mesh->vertices + place * corners, row * sizeof *to);
         memcpy(to + 1 + corners, mesh->links + place * corners, row * sizeof *to);
         d->killed.count += 1 + 2 * row;
+        paradt__past_kill(&d->past, place);
         if (!finite) continue;
         d->killed_numbers.items[d->killed_numbers.count++] = place;
-        for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = owner[to[j]];
+        for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = to[j];
     }
     return PARADT_OK;
-}
-
-static paradt_status paradt__living_dug(paradt__witness *witness, paradt__insertion *build) {
-    return paradt__living_prepare((paradt_dynamic *)(void *)witness, build->rim_count);
 }
 
 // Finds out which places are hidden now. gone: a position that is no vertex any more, or PARADT__NOWHERE; start: where
@@ -25600,8 +26350,8 @@ static void paradt__living_settle_hidden(paradt_dynamic *d, paradt_index gone, p
     }
 }
 
-// After a hole has been filled: marks the new cells, and finds out what has become of vertices and hidden places.
-static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
+// Marks the new cells that fill a hole.
+static void paradt__living_mark(paradt_dynamic *d) {
     const paradt__update *update = &d->build.update;
     const paradt__mesh *mesh = &d->build.scene.mesh;
     paradt_index corners = mesh->corners, *cell = d->column[PARADT__CELL], i;
@@ -25616,7 +26366,38 @@ static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
             if (row[i] >= 0) cell[row[i]] = place;
         }
     }
-    if (d->weighted) paradt__living_settle_hidden(d, gone, paradt__mesh_cell(mesh, update->made[0]));
+}
+
+// After a hole has been filled: marks the new cells, and finds out what has become of vertices and hidden places.
+static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
+    if (d->past.method != PARADT_FLIP) paradt__living_mark(d); // flips have told of theirs
+    if (!d->weighted) return;
+    paradt__living_settle_hidden(d, gone, paradt__mesh_cell(&d->build.scene.mesh, d->build.update.made[0]));
+}
+
+// --- the witness. Flips work on a copy of the set's insertion, which goes back and forth.
+
+static paradt_status paradt__living_dug(paradt__witness *witness, paradt__insertion *build) {
+    paradt_dynamic *d = (paradt_dynamic *)(void *)witness;
+    paradt_status status;
+    if (build == &d->build) return paradt__living_prepare(d, build->rim_count);
+    d->build = *build;
+    status = paradt__living_prepare(d, build->rim_count);
+    *build = d->build;
+    return status;
+}
+
+static void paradt__living_filled(paradt__witness *witness, paradt__insertion *build) {
+    paradt_dynamic *d = (paradt_dynamic *)(void *)witness;
+    d->build = *build;
+    paradt__living_mark(d);
+}
+
+// Makes the set the witness of its own insertions.
+static void paradt__living_watch(paradt_dynamic *d) {
+    d->build.witness = &d->witness;
+    d->witness.dug = paradt__living_dug;
+    d->witness.filled = paradt__living_filled;
 }
 
 #if defined(PARADT_VERIFY)
@@ -25654,7 +26435,9 @@ static int paradt__living_is_sound(paradt_dynamic *d) {
 
 // steps: whether the change may be more than one insertion or removal
 static void paradt__living_begin(paradt_dynamic *d, int steps) {
-    d->steps = steps;
+    d->steps = steps || d->past.method == PARADT_FLIP;
+    paradt__past_begin(&d->past);
+    d->loose.count = d->suspects.count = 0;
     d->now.places = d->build.scene.mesh.count;
     d->before = d->now;
     d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
@@ -25664,10 +26447,32 @@ static void paradt__living_begin(paradt_dynamic *d, int steps) {
     paradt__meter_begin(&d->meter, &d->options);
 }
 
+// Exchanges what a journal's entry says of the owner of a position with what the column says.
+static void paradt__living_exchange_owner(paradt_dynamic *d, paradt_index *entry) {
+    paradt_index now = paradt__living_get(d, PARADT__OWNER, entry[1]);
+    d->column[PARADT__OWNER][entry[1]] = entry[2];
+    entry[2] = now;
+}
+
+// Gives the vertices of killed cells the ids that they had before the change: at some places another point may stand
+// for them now, one that has come by the same change. The owners are taken back for that, and redone.
+static void paradt__living_name_killed(paradt_dynamic *d) {
+    size_t at, i;
+    for (at = d->log.count; at; at -= 3)
+        if (d->log.items[at - 3] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at - 3);
+    for (i = 0; i < d->killed_vertices.count; i++) {
+        PARADT_ASSERT(paradt__living_get(d, PARADT__OWNER, d->killed_vertices.items[i]) >= 0);
+        d->killed_vertices.items[i] = paradt__living_get(d, PARADT__OWNER, d->killed_vertices.items[i]);
+    }
+    for (at = 0; at < d->log.count; at += 3)
+        if (d->log.items[at] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at);
+}
+
 // Makes the journal what paradt_dynamic_get_update gives.
 static void paradt__living_publish(paradt_dynamic *d) {
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = (size_t)mesh->corners, at, made = 0;
+    paradt__living_name_killed(d);
     for (at = 0; at < d->made.count; at++) {
         size_t place = (size_t)d->made.items[at];
         if (d->steps && !(mesh->marks[place] & PARADT__FRESH)) continue;
@@ -25683,6 +26488,9 @@ static void paradt__living_undo_mesh(paradt_dynamic *d) {
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = (size_t)mesh->corners, row = corners * sizeof(paradt_index), at, i;
     for (at = 0; at < d->made.count; at++) mesh->vertices[(size_t)d->made.items[at] * corners] = PARADT__DEAD;
+    paradt__past_undo(&d->past);
+    for (at = 0; at < d->past.killed.count; at++)
+        paradt__past_revive(&d->past, at, d->killed.items[at * (1 + 2 * corners)]);
     for (at = 0; at < d->killed.count; at += 1 + 2 * corners) {
         const paradt_index *saved = d->killed.items + at;
         memcpy(mesh->vertices + (size_t)saved[0] * corners, saved + 1, row);
@@ -25699,6 +26507,7 @@ static void paradt__living_undo_mesh(paradt_dynamic *d) {
         else d->build.scene.hint = (paradt_index)i;
     }
     memset(mesh->marks, 0, mesh->capacity);
+    paradt__past_restart(&d->past, d->build.scene.hint);
     if (d->build.kept) {
         paradt__kept_forget(&d->build);
         d->build.kept->start = d->build.scene.hint;
@@ -25735,13 +26544,13 @@ static void paradt__living_undo(paradt_dynamic *d) {
 // ---------------------------------------------------------------------------------------------------------------------
 // >>changes of a living set
 //
-// Inserting, removing and moving one point, within a change that may be more; and making a set anew.
+// Inserting, removing and moving one point, within a change that may be more.
 //
 // A step that would change the dimension of the points says PARADT__GAVE_UP: then the change is undone, and the set is
 // made anew, by the way of paradt_triangulate. That takes as long as creating the set. The dimension falls where a
 // point is removed off the flat that all others are in. Then all finite cells have this vertex: so only where they do
 // are the others looked at, and these are Q of >>holes of vertices.
-// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_make, paradt__living_start,
+// Doors: paradt__living_insert, paradt__living_remove, paradt__living_move, paradt__living_join, paradt__living_start,
 // paradt__living_make_starts.
 
 // --- the space
@@ -25836,9 +26645,10 @@ static paradt_status paradt__living_enter(paradt_dynamic *d, paradt_index positi
         paradt__living_set(d, PARADT__LAST_HIDDEN, position, PARADT__NOWHERE);
     }
     build->count = ++d->now.vertices;
-    status = build->kept ? paradt__insert_one_more(build, position, cell) : paradt__insert_at(build, position, cell);
+    status = paradt__past_insert(&d->past, build, position, cell);
     if (status) return status;
     paradt__living_settle(d, PARADT__NOWHERE);
+    d->loose.count = d->suspects.count = 0;
     return PARADT_OK;
 }
 
@@ -25945,6 +26755,7 @@ static paradt_status paradt__living_join(paradt_dynamic *d, paradt_index id, par
     paradt__living_set(d, PARADT__OWNER, position, root);
     if (root != id || !d->weighted) return PARADT_OK;
     if (paradt__bits(d->weights[id]) == paradt__bits(paradt__living_record(d, position)[d->ambient])) return PARADT_OK;
+    if (d->dim > 0 && d->past.method != PARADT_AUTO) return PARADT__GAVE_UP;
     return paradt__living_reweigh(d, position, d->weights[id]);
 }
 
@@ -25999,7 +26810,9 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
             i = ghost;
         } else {
             const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-            if (paradt__sphere_power(sphere, &centred) < -sphere->error) return cell;
+            double power = paradt__sphere_power(sphere, &centred);
+            PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, record, power);
+            if (power < -sphere->error) return cell;
             for (i = 0; i < 4; i++)
                 if (i != from && paradt__side(scene, cell, i, record) < 0) break;
             *fresh = i < 4;
@@ -26010,14 +26823,34 @@ static paradt_index paradt__living_reach(paradt_dynamic *d, paradt_index cell, c
     }
 }
 
+// Finds the cell for a point: that it is in, or one in conflict with it that is good enough. *fresh: it is certain that
+// the place is no vertex's. hint, from: as below
+static paradt_status paradt__living_find(paradt_dynamic *d, const double *record, paradt_index hint, paradt_index from,
+                                         paradt_index *cell, int *fresh) {
+    paradt__scene *scene = &d->build.scene;
+    paradt_status status = PARADT_OK;
+    *fresh = 0;
+    *cell = PARADT__NOWHERE;
+    if (d->past.method != PARADT_AUTO) {
+        paradt_index near = from < 0 && hint >= 0 ? paradt__living_start(d, record, hint) : from;
+        if (near < 0) near = paradt__insertion_start(&d->build);
+        status = paradt__past_locate(&d->past, scene, near, record, cell);
+        if (status || (*cell != PARADT__NOWHERE && (!d->weighted || d->past.method == PARADT_FLIP))) return status;
+    }
+    if (*cell == PARADT__NOWHERE) *cell = from < 0 ? paradt__living_start(d, record, hint) : from;
+    if (PARADT_MAX_DIM >= 3 && d->build.kept && !d->weighted && d->past.method == PARADT_AUTO)
+        *cell = paradt__living_reach(d, *cell, record, fresh);
+    else *cell = paradt__walk(scene, *cell, record);
+    return PARADT_OK;
+}
+
 // Puts a point, whose weight is noted, where its record says. hint: a point nearby, or negative; from: a cell nearby,
 // or negative
 static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, const double *record, paradt_index hint,
                                            paradt_index from) {
-    paradt__scene *scene = &d->build.scene;
     paradt_index cell, position;
     paradt_status status;
-    int fresh = 0;
+    int fresh;
     if (d->dim < 0) return PARADT__GAVE_UP;
     if (d->dim == 0) { // there is one place, the first
         if (memcmp(record, d->records, (size_t)d->ambient * sizeof *record) != 0) return PARADT__GAVE_UP;
@@ -26025,14 +26858,14 @@ static paradt_status paradt__living_insert(paradt_dynamic *d, paradt_index id, c
     }
     paradt__living_measure(d, record);
     if (d->dim < d->ambient && paradt__living_leaves_flat(d, record)) return PARADT__GAVE_UP;
-    cell = from < 0 ? paradt__living_start(d, record, hint) : from;
-    if (PARADT_MAX_DIM >= 3 && d->build.kept) cell = paradt__living_reach(d, cell, record, &fresh);
-    else cell = paradt__walk(scene, cell, record);
+    status = paradt__living_find(d, record, hint, from, &cell, &fresh);
+    if (status) return status;
     paradt__living_start_at(d, cell);
     position = fresh ? PARADT__NOWHERE : paradt__living_vertex_at(d, cell, record);
     if (position == PARADT__NOWHERE && d->weighted) position = paradt__alike_find(d, record);
     if (position != PARADT__NOWHERE) return paradt__living_join(d, id, position);
     status = paradt__living_position_room(d, d->now.positions + 1);
+    if (!status) status = paradt__living_number_room(d, d->now.positions + 1);
     if (!status) status = paradt__living_write_room(d);
     if (!status) status = paradt__living_log_room(d, 4);
     if (!status) status = paradt__alike_room(d);
@@ -26166,7 +26999,11 @@ static paradt_status paradt__living_move(paradt_dynamic *d, paradt_index id, con
                   : paradt__living_insert(d, id, record, -1, d->dim > 0 ? paradt__insertion_start(&d->build) : -1);
 }
 
-// --- a set anew
+// ---------------------------------------------------------------------------------------------------------------------
+// >>making a living set
+//
+// A set made by the way of paradt_triangulate: its mesh, its points as they are numbered, and what is kept besides.
+// Door: paradt__living_make.
 
 // Gives a mesh without ghosts its ghosts.
 static paradt_status paradt__living_ghosts(paradt__mesh *mesh, size_t hull, paradt__memory *memory) {
@@ -26341,8 +27178,7 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
     size_t hull;
     paradt_status status = PARADT_OK;
     d->build.memory = &d->memory;
-    d->build.witness = &d->witness;
-    d->witness.dug = paradt__living_dug;
+    paradt__living_watch(d);
     if (d->dim <= 0) {
         d->now.vertices = d->now.cells = d->now.positions;
         if (d->now.positions) d->column[PARADT__CELL][0] = 0;
@@ -26363,11 +27199,9 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
         status = paradt__list_room(&d->build.update.killed, 0, &d->build.update.killed_capacity, PARADT__FIRST_DIG,
                                    &d->memory);
     d->build.count = d->now.vertices < KEPT_FOR ? d->now.vertices : (size_t)KEPT_FOR;
-    if (!status && PARADT__IS(d->dim, 3) && !d->weighted) status = paradt__kept_begin(&d->build);
+    if (!status && PARADT__IS(d->dim, 3) && d->past.method != PARADT_FLIP) status = paradt__kept_begin(&d->build);
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
-    if (!status && d->build.kept && d->now.positions >= d->build.kept->numbers &&
-        !paradt__kept_more_numbers(&d->build, d->now.positions + 1))
-        status = PARADT_ERROR_MEMORY;
+    if (!status) status = paradt__living_number_room(d, d->now.positions);
     d->build.count = d->now.vertices;
     return status;
 }
@@ -26395,14 +27229,13 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     paradt_status status;
     size_t regions;
     memset(&out, 0, sizeof out);
-    options.method = PARADT_AUTO;
     options.flags = PARADT_FACETS;
     paradt__begin_call(&work, &stats, &out, points, &options);
     work.memory = d->memory;
     status = paradt__load(&work, points, &out);
     d->error_point = out.error_point;
     regions = work.regions;
-    if (!status) status = paradt__build_mesh(&work);
+    if (!status) status = paradt__past_build(&d->past, &work);
 #ifndef PARADT_NO_REGIONS
     if (!status && work.fields) { // one region may have taken over from the others
         work.regions = regions;
@@ -26415,9 +27248,11 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     if (work.delivered) work.mesh.spare_count = 0; // its gaps have been closed
     paradt__release(&work.memory, work.cuts.cut);
     d->memory = work.memory;
+    paradt__past_own(&d->past, &d->memory);
     d->build.scene.mesh = work.mesh;
     if (!status) status = paradt__living_adopt(d, &work, points, ids, id_count);
     if (!status) status = paradt__living_number(d, out.representative, points->count, ids, id_count);
+    d->meter.done = PARADT__ALL_DONE; // what is left takes a small part of the time
     if (!status) status = paradt__living_complete(d);
     paradt__set_free(&work.set, &d->memory);
     paradt__release(&d->memory, out.representative);
@@ -26467,6 +27302,7 @@ static paradt_dynamic *paradt__living_new(const paradt_options *options, const p
     d->ambient = ambient;
     d->weighted = weighted;
     d->dim = -1;
+    d->past.method = options->method;
     d->build.memory = &d->memory;
     paradt__meter_begin(&d->meter, options);
     return d;
@@ -26475,7 +27311,7 @@ static paradt_dynamic *paradt__living_new(const paradt_options *options, const p
 // Returns what is wrong with the options for a living set, or NULL.
 static const char *paradt__living_fault(const paradt_options *options) {
     if (options->flags) return "options.flags is not 0";
-    if (options->method != PARADT_AUTO) return "options.method is not PARADT_AUTO";
+    if (!paradt__past_is_possible(options->method)) return "options.method is no way of locating points";
     return NULL;
 }
 
@@ -26567,6 +27403,7 @@ static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__cen
     d->memory = old.memory;
     d->build.memory = &d->memory;
     d->build.witness = &d->witness;
+    paradt__past_own(&d->past, &d->memory);
     d->dim_before = old.dim;
     d->rebuilt = 1;
     paradt__release(&d->memory, fresh);
@@ -26616,6 +27453,7 @@ static paradt_status paradt__change_check_ids(paradt_dynamic *d, const paradt__c
     if (change->count && !change->ids) return paradt__change_fault(d, "ids is NULL");
     for (i = 0; i < change->count; i++) {
         paradt_index id = change->ids[i];
+        if (paradt__meter_stops(&d->meter, i)) return PARADT_ERROR_CANCELLED;
         if (id < 0 || (size_t)id >= d->now.ids || paradt__living_get(d, PARADT__POSITION, id) < 0)
             return paradt__change_fault(d, "an id is out of range or free");
     }
@@ -26648,6 +27486,7 @@ static paradt_status paradt__change_read(paradt_dynamic *d, paradt__change *chan
     source = paradt__source_of(change->points);
     for (i = 0; i < change->count; i++) {
         double *to = change->records + i * width;
+        if (paradt__meter_stops(&d->meter, i)) return PARADT_ERROR_CANCELLED;
         if (paradt__read_record(&source, i, record) == 2047) {
             d->error_point = i;
             return PARADT_ERROR_NOT_FINITE;
@@ -26684,7 +27523,21 @@ static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *c
     paradt__curve_begin(&curve, d->ambient, paradt__levels_for(SIZE_MAX, d->ambient), space->low, space->high,
                         change->count);
     paradt__curve_sort(&curve, change->records, (size_t)d->ambient + (size_t)d->weighted, change->order, other,
-                       change->count);
+                       change->count, NULL);
+}
+
+// Prefetches what removals soon after the i-th one begin with: first a cell of the vertex, then its row.
+PARADT__INLINE void paradt__change_fetch(const paradt_dynamic *d, const paradt__change *change, size_t i) {
+    enum { SOON = 4, LATER = 8 };
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    if (d->dim < 1 || i + LATER >= change->count) return;
+    PARADT__FETCH(d->column[PARADT__CELL],
+                  paradt__living_get(d, PARADT__POSITION, change->number[change->order[i + LATER].item]));
+    paradt__fetch_row(
+        mesh->vertices, mesh->links,
+        (size_t)paradt__living_get(
+            d, PARADT__CELL, paradt__living_get(d, PARADT__POSITION, change->number[change->order[i + SOON].item])),
+        (size_t)mesh->corners);
 }
 
 // Does a change, point by point.
@@ -26698,6 +27551,7 @@ static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *
         size_t at = (size_t)change->order[i].item;
         paradt_index id = change->number[at];
         const double *record = change->records ? change->records + at * width : NULL;
+        if (change->kind == PARADT__REMOVAL) paradt__change_fetch(d, change, i);
         if (i % PACE == PACE - 1 && paradt__progress_cancels(&progress, (double)i / (double)change->count))
             return PARADT_ERROR_CANCELLED;
         switch (change->kind) {
@@ -26746,35 +27600,49 @@ static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *chang
     return status;
 }
 
+enum { PARADT__SMALL_CHANGE = 1 << 12 }; // so many points are read and sorted in a millisecond
+
 // Checks a change and does it.
 static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *change) {
     size_t width = (size_t)d->ambient + (size_t)d->weighted, count = change->count;
     paradt__memory *memory = &d->memory;
-    paradt__keyed *other;
+    paradt__keyed *other, keys[2];
+    paradt_index number;
+    double record[PARADT_MAX_DIM + 1];
     paradt_status status = PARADT_OK;
+    const int one = count == 1; // takes no memory here
     d->error_point = 0;
     d->error_text = NULL;
+    paradt__meter_begin(&d->meter, &d->options);
+    if (change->kind != PARADT__INSERTION && d->past.method != PARADT_AUTO)
+        return paradt__change_fault(d,
+                                    "a set with options.method PARADT_FLIP or PARADT_DELAUNAY_TREE has insertion only");
     if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
+    if (status == PARADT_ERROR_CANCELLED) d->error_text = paradt_status_string(status);
     if (status) return status;
-    change->number = (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
-    change->order = (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
-    other = (paradt__keyed *)paradt__alloc(memory, count, sizeof *other);
+    change->number = one ? &number : (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
+    change->order = one ? keys : (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
+    other = one ? keys + 1 : (paradt__keyed *)paradt__alloc(memory, count, sizeof *other);
     if (change->kind != PARADT__REMOVAL)
-        change->records = (double *)paradt__alloc(memory, count, width * sizeof(double));
+        change->records = one ? record : (double *)paradt__alloc(memory, count, width * sizeof(double));
     if (!change->number || !change->order || !other || (!change->records && change->kind != PARADT__REMOVAL))
         status = PARADT_ERROR_MEMORY;
     if (!status && change->kind != PARADT__REMOVAL) status = paradt__change_read(d, change);
     if (!status) {
         if (change->kind != PARADT__INSERTION && count)
             memcpy(change->number, change->ids, count * sizeof *change->number);
-        paradt__change_sort(d, change, other);
-        status = paradt__change_run(d, change);
+        if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status) paradt__change_sort(d, change, other);
+        if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status) status = paradt__change_run(d, change);
     }
     if (!status && change->new_ids && count) memcpy(change->new_ids, change->number, count * sizeof *change->number);
-    paradt__release(memory, change->number);
-    paradt__release(memory, change->order);
-    paradt__release(memory, other);
-    paradt__release(memory, change->records);
+    if (!one) {
+        paradt__release(memory, change->number);
+        paradt__release(memory, change->order);
+        paradt__release(memory, other);
+        paradt__release(memory, change->records);
+    }
     if (status && !d->error_text) d->error_text = paradt_status_string(status);
     return status;
 }
@@ -26918,10 +27786,9 @@ PARADT_DEF paradt_index paradt_dynamic_representative(const paradt_dynamic *d, p
     return paradt__living_is_hidden(d, position) ? -1 : paradt__living_get(d, PARADT__OWNER, position);
 }
 
-// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells: a star of many cells would take
-// memory that nobody can provide here.
-static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
-                                        size_t capacity) {
+// Counts the cells of a vertex and fills the first `capacity`, by looking at all cells.
+static size_t paradt__living_star_of_all(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                         size_t capacity) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     size_t count = 0, i;
     for (i = 0; i < mesh->count; i++) {
@@ -26931,6 +27798,33 @@ static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index po
         if (count++ < capacity) cells[count - 1] = (paradt_index)i;
     }
     return count;
+}
+
+// The same from a cell of the vertex to the others, in time linear in their number. That takes memory; if there is none
+// all cells of the set are looked at.
+static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index position, paradt_index *cells,
+                                        size_t capacity) {
+    const paradt__mesh *mesh = &d->build.scene.mesh;
+    paradt__memory memory;
+    paradt__seen star;
+    size_t next, count = 0;
+    int fresh;
+    paradt_status status;
+    memset(&star, 0, sizeof star);
+    paradt__memory_begin(&memory, &d->options);
+    status = paradt__seen_add(&star, paradt__living_get(d, PARADT__CELL, position), &fresh, &memory);
+    for (next = 0; next < star.items.count && !status; next++) {
+        const paradt_index place = star.items.items[next], base = place * mesh->corners;
+        paradt_index i;
+        if (paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners) && count++ < capacity)
+            cells[count - 1] = place;
+        for (i = base; i < base + mesh->corners && !status; i++) {
+            if (mesh->vertices[i] != position)
+                status = paradt__seen_add(&star, paradt__mesh_cell(mesh, mesh->links[i]), &fresh, &memory);
+        }
+    }
+    paradt__seen_free(&star, &memory);
+    return status ? paradt__living_star_of_all(d, position, cells, capacity) : count;
 }
 
 PARADT_DEF size_t paradt_dynamic_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t capacity) {
@@ -27003,13 +27897,15 @@ PARADT_DEF paradt_index paradt_dynamic_nearest(const paradt_dynamic *d, const do
 // --- export
 
 // Fills the rows of cells. number: [places] the number of each cell
-static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out, const paradt_index *number) {
+static paradt_status paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *out,
+                                          const paradt_index *number, paradt__meter *meter) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     const paradt_index *owner = d->column[PARADT__OWNER];
     size_t corners = (size_t)mesh->corners, i, j;
     for (i = 0; i < mesh->count; i++) {
         paradt_index *cell = out->cells + (size_t)number[i] * corners;
         paradt_index *links = out->neighbors + (size_t)number[i] * corners;
+        if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
         if (number[i] < 0) continue;
         for (j = 0; j < corners; j++) {
             paradt_index other = number[paradt__mesh_cell(mesh, mesh->links[i * corners + j])];
@@ -27018,36 +27914,48 @@ static void paradt__export_cells(const paradt_dynamic *d, paradt_triangulation *
             out->stats.hull_facets += other < 0;
         }
     }
+    return PARADT_OK;
 }
 
 PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_triangulation *out) {
     const paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = d->dim > 0 ? (size_t)mesh->corners : 1, places = d->dim > 0 ? mesh->count : 0, i;
     paradt__memory memory;
+    paradt__meter meter;
     paradt_index *number, count = 0;
+    paradt_status status = PARADT_OK;
     if (!out) return PARADT_ERROR_ARGUMENT;
     memset(out, 0, sizeof *out);
     out->dim = -1;
     paradt__memory_begin(&memory, &d->options);
+    paradt__meter_begin(&meter, &d->options);
     out->allocator = memory.allocator;
     number = (paradt_index *)paradt__alloc(&memory, places, sizeof *number);
     out->cells = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
     if (d->dim > 0)
         out->neighbors = (paradt_index *)paradt__alloc(&memory, d->now.cells * corners, sizeof(paradt_index));
     out->representative = (paradt_index *)paradt__alloc(&memory, d->now.ids, sizeof(paradt_index));
-    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) {
-        paradt__release(&memory, number);
-        paradt__withdraw(out, PARADT_ERROR_MEMORY, -1);
-        return PARADT_ERROR_MEMORY;
-    }
-    for (i = 0; i < places; i++)
+    if (!number || !out->cells || !out->representative || (d->dim > 0 && !out->neighbors)) status = PARADT_ERROR_MEMORY;
+    for (i = 0; i < places && !status; i++) {
+        if (paradt__meter_stops(&meter, i)) status = PARADT_ERROR_CANCELLED;
         number[i] = paradt__is_finite_cell(mesh->vertices + i * corners, mesh->corners) ? count++ : -1;
+    }
+    if (!status && d->dim > 0) status = paradt__export_cells(d, out, number, &meter);
+    else if (!status && d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
+    for (i = 0; i < d->now.ids && !status; i++) {
+        if (paradt__meter_stops(&meter, i)) status = PARADT_ERROR_CANCELLED;
+        out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
+    }
+    meter.done = PARADT__ALL_DONE;
+    if (!status && paradt__meter_cancels(&meter)) status = PARADT_ERROR_CANCELLED;
+    if (status) {
+        paradt__release(&memory, number);
+        paradt__withdraw(out, status, -1);
+        return status;
+    }
     out->dim = d->dim;
     out->cell_count = d->now.cells;
-    if (d->dim > 0) paradt__export_cells(d, out, number);
-    else if (d->dim == 0) out->cells[0] = d->column[PARADT__OWNER][0];
     out->point_count = d->now.ids;
-    for (i = 0; i < d->now.ids; i++) out->representative[i] = paradt_dynamic_representative(d, (paradt_index)i);
     out->stats.cells = out->cell_count;
     out->stats.hidden = d->now.hidden;
     out->stats.duplicates = d->now.points - d->now.vertices - d->now.hidden;
@@ -27326,6 +28234,7 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     paradt__keyed *keyed = (paradt__keyed *)paradt__alloc_filled(g->memory, 2 * n, sizeof *keyed);
     double *records = (double *)paradt__alloc_filled(g->memory, n + 1, width * sizeof *records);
     paradt__curve curve;
+    paradt_status status;
     set->origin = (paradt_index *)paradt__alloc_filled(g->memory, n, sizeof *set->origin);
     if (!keyed || !records || !set->origin) {
         paradt__release(g->memory, keyed);
@@ -27334,8 +28243,9 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     }
     for (i = 0; i < n; i++) keyed[i].item = (paradt_index)i;
     paradt__curve_begin(&curve, g->d, paradt__levels_for(n, g->d), set->space.low, set->space.high, n);
-    paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n);
-    for (i = 0; i < n; i++) {
+    status = paradt__curve_sort(&curve, set->records, width, keyed, keyed + n, n, g->meter);
+    for (i = 0; i < n && !status; i++) {
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         PARADT__FETCH(set->records, (size_t)keyed[i + 16 < n ? i + 16 : i].item * width);
         set->origin[i] = keyed[i].item;
         to[keyed[i].item] = (paradt_index)i;
@@ -27344,7 +28254,7 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     paradt__release(g->memory, set->records);
     paradt__release(g->memory, keyed);
     set->records = records;
-    return PARADT_OK;
+    return status;
 }
 
 // The least vertex of a cell
@@ -27356,20 +28266,25 @@ PARADT__INLINE paradt_index paradt__diagram_least(const paradt_index *vertices, 
 }
 
 // Finds where cells come, whose vertices are positions. to: [cells]; first: [set.count + 1] scratch
-PARADT__INLINE void paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh, paradt_index *to,
-                                               paradt_index *first, int corners) {
+PARADT__INLINE paradt_status paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh,
+                                                        paradt_index *to, paradt_index *first, int corners) {
     size_t cell, i;
     memset(first, 0, (g->set.count + 1) * sizeof *first);
-    for (cell = 0; cell < g->cells; cell++)
+    for (cell = 0; cell < g->cells; cell++) {
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners) + 1]++;
+    }
     for (i = 0; i < g->set.count; i++) first[i + 1] += first[i];
-    for (cell = 0; cell < g->cells; cell++)
+    for (cell = 0; cell < g->cells; cell++) {
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         to[cell] = first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners)]++;
+    }
+    return PARADT_OK;
 }
 
 // Fills the rows of cells in order. to: NULL: they stay where they are
-PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh, const paradt_index *to,
-                                         int corners) {
+PARADT__INLINE paradt_status paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh,
+                                                  const paradt_index *to, int corners) {
     enum { AHEAD = 8 };
     const size_t bytes = PARADT__ROW_BYTES(corners - 1);
     size_t cell;
@@ -27377,6 +28292,7 @@ PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt_
     for (cell = 0; cell < g->cells; cell++) {
         size_t base = cell * (size_t)corners;
         paradt_index *row = paradt__row_vertices(g, to ? (size_t)to[cell] : cell, bytes);
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         if (to && cell + 2 * AHEAD < g->cells) {
             for (j = 0; j < corners; j++) {
                 paradt_index link = mesh->links[base + (size_t)(2 * AHEAD * corners + j)] / corners;
@@ -27391,6 +28307,7 @@ PARADT__INLINE void paradt__diagram_fill(const paradt__diagram *g, const paradt_
             else row[corners + j] = to ? to[other] * corners + (link - other * corners) : link;
         }
     }
+    return PARADT_OK;
 }
 
 // Makes the rows of a triangulation that is as wide as space: sorts points and cells, and marks the points of the hull.
@@ -27404,14 +28321,18 @@ PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const
         to = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *to);
         status = scratch && to ? paradt__diagram_sort_points(g, scratch) : PARADT_ERROR_MEMORY;
         for (i = 0; i < mesh->count * corners && !status; i++) {
-            if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
+            if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
+            else if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
         }
-        if (!status && corners == 4) paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
-        else if (!status) paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
+        if (!status && corners == 4) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
+        else if (!status) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
     }
-    if (!status && corners == 4) paradt__diagram_fill(g, mesh, to, 4);
-    else if (!status) paradt__diagram_fill(g, mesh, to, 3);
-    for (i = 0; i < g->cells * corners && !status; i++) g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    if (!status && corners == 4) status = paradt__diagram_fill(g, mesh, to, 4);
+    else if (!status) status = paradt__diagram_fill(g, mesh, to, 3);
+    for (i = 0; i < g->cells * corners && !status; i++) {
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
+        g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
+    }
     for (; i < mesh->count * corners && !status; i++) { // ghosts
         if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
     }
@@ -27422,13 +28343,18 @@ PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const
 
 // Makes the rows, and finds which points are vertices. kind has been cleared.
 static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh *mesh) {
-    enum { LINE = 64 }; // bytes
+    enum { LINE = 64, PACE = 1 << 16 }; // bytes; cells whose pages are made at once
     size_t corners = (size_t)mesh->corners, cell, j;
     g->centred = g->k == g->d && g->d <= 3;
     g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : corners * sizeof(paradt_index);
     if (g->cells > (SIZE_MAX / 2 - LINE) / g->row_bytes) return PARADT_ERROR_MEMORY;
-    g->rows_block = (char *)paradt__alloc_filled(g->memory, g->cells * g->row_bytes + LINE, 1);
+    g->rows_block = (char *)paradt__alloc(g->memory, g->cells * g->row_bytes + LINE, 1);
     if (!g->rows_block) return PARADT_ERROR_MEMORY;
+    for (cell = 0; cell < g->cells; cell += PACE) {
+        size_t end = g->cells - cell > PACE ? cell + PACE : g->cells;
+        if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
+        paradt__make_pages(g->rows_block, cell * g->row_bytes, end * g->row_bytes);
+    }
     g->rows = g->rows_block + (LINE - (uintptr_t)g->rows_block % LINE) % LINE;
     if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
     if (g->centred) return paradt__diagram_rows_centred(g, mesh);
@@ -27495,6 +28421,7 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
         h[i] = planes + i;
     }
     known = paradt__diagram_meet(g, h, d, 0, y);
+    PARADT_CLAIM(meet, g, vertices, y, d);
     PARADT__UNROLL
     for (i = 0; i < d; i++) {
         centre[i] = base[i] + y[i];
@@ -27804,17 +28731,24 @@ typedef struct paradt__facing {
     paradt_status status[PARADT__MOST_TASKS];
 } paradt__facing;
 
-// Appends a face between two points, for which there is room. measure: of the face, times |a|
+// Appends a face between two points, for which there is room. measure: of the face, times |a|. area: a vector whose
+// length is `times` the measure, for points so near that their difference a is lost
 PARADT__INLINE void paradt__face_list_add(paradt__face_list *list, paradt_index p, paradt_index q, double measure,
-                                          const double *a, double length, const double *centroid, int d) {
+                                          const double *a, const double *area, double times, const double *centroid,
+                                          int d) {
     size_t at = list->count++;
+    double unit, length;
     int j;
     list->sides[2 * at] = p;
     list->sides[2 * at + 1] = q;
-    if (list->wants & PARADT_VORONOI_AREAS) list->areas[at] = measure / length;
+    if (!(list->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS))) return;
+    length = paradt__length_in_unit(a, d, &unit);
+    if (list->wants & PARADT_VORONOI_AREAS) list->areas[at] = measure * unit / length;
+    if (list->wants & PARADT_VORONOI_AREAS && !(length > 0))
+        list->areas[at] = paradt__length_in_unit(area, d, &unit) / (unit * times);
     if (!(list->wants & PARADT_VORONOI_NORMALS)) return;
     for (j = 0; j < d; j++) {
-        list->normals[at * (size_t)d + (size_t)j] = a[j] / length;
+        list->normals[at * (size_t)d + (size_t)j] = a[j] * unit / length;
         list->centroids[at * (size_t)d + (size_t)j] = centroid[j];
     }
 }
@@ -27876,11 +28810,7 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
         list->cell[list->count] = cell;
         list->edge[list->count] = (unsigned char)edge;
     }
-    paradt__face_list_add(list, p, q, measure, normal,
-                          list->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)
-                              ? sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])
-                              : 1,
-                          where, 3);
+    paradt__face_list_add(list, p, q, measure, normal, ring.area, 2, where, 3);
     return PARADT_OK;
 }
 
@@ -27970,8 +28900,7 @@ PARADT__INLINE paradt_status paradt__faces_in_plane(paradt__facing *facing, para
                 list->cell[list->count] = (paradt_index)cell;
                 list->edge[list->count] = (unsigned char)i;
             }
-            paradt__face_list_add(list, p, q, measure, normal, sqrt(normal[0] * normal[0] + normal[1] * normal[1]),
-                                  where, 2);
+            paradt__face_list_add(list, p, q, measure, normal, along, 1, where, 2);
         }
     }
     return PARADT_OK;
@@ -28532,6 +29461,7 @@ PARADT__INLINE void paradt__convex_find(paradt__convex *c, size_t vertex, int d)
     if (!paradt__diagram_meet(c->g, h, d, 0, y)) paradt__exact_meet(&c->exact, c->g, c->p, h, 0, 0, y);
     if (distant && !paradt__diagram_meet(c->g, h, d, 1, y + d + 1))
         paradt__exact_meet(&c->exact, c->g, c->p, h, 1, 0, y + d + 1);
+    PARADT_CLAIM(corner, c, h, y, distant);
 }
 
 // Is a vertex outside of a plane? 1, 0: on it, -1: inside
@@ -28540,6 +29470,7 @@ PARADT__INLINE int paradt__convex_above(paradt__convex *c, size_t vertex, const 
     const paradt__halfspace *h[PARADT_MAX_DIM + 1];
     int i, sign = c->distant[vertex] ? paradt__diagram_above(c->g, plane, y + d + 1, d, 1)
                                      : paradt__diagram_above(c->g, plane, y, d, 0);
+    PARADT_CLAIM(above, c, vertex, plane, sign);
     if (PARADT__LIKELY(sign != PARADT__UNDECIDED)) return sign;
     for (i = 0; i < d; i++) h[i] = paradt__convex_plane(c, vertex, i);
     h[d] = plane;
@@ -28998,13 +29929,14 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
     const paradt__halfspace *h = c->planes + plane;
     paradt_index entry = c->entry[plane], at = entry;
     const double *first = paradt__convex_place(c, (size_t)(entry / d));
-    double a[3] = {0}, b[3] = {0}, o[3] = {0}, area[3] = {0}, sum[3] = {0}, along = 0, square = 0, size = 0, error = 0;
-    double arm = 0, step, parts;
+    double a[3] = {0}, b[3] = {0}, o[3] = {0}, n[3] = {0}, area[3] = {0}, sum[3] = {0}, reach[3] = {0};
+    double along = 0, size = 0, error = 0;
+    double arm = 0, step, parts, unit, length = paradt__length_in_unit(h->normal, d, &unit);
     int j, corners = 0, distant = 0;
     for (j = 0; j < d; j++) {
         o[j] = first[j] - apex[j];
+        n[j] = h->normal[j] * unit;
         arm = paradt__larger(arm, paradt__abs(o[j]));
-        square += h->normal[j] * h->normal[j];
         face->moment[j] = 0;
     }
     face->cone = face->error = 0;
@@ -29015,16 +29947,17 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
         for (j = 0; j < d; j++) {
             b[j] = place[j] - first[j];
             size = paradt__larger(size, paradt__abs(b[j]));
+            reach[j] = corners == 1 ? b[j] : reach[j]; // of the second vertex
         }
         error = paradt__larger(error, place[d]);
         if (d == 2) {
             cone = o[0] * b[1] - o[1] * b[0];
-            part = h->normal[0] * b[1] - h->normal[1] * b[0];
+            part = n[0] * b[1] - n[1] * b[0];
         } else {
             cross[0] = a[1] * b[2] - a[2] * b[1];
             cross[1] = a[2] * b[0] - a[0] * b[2];
             cross[2] = a[0] * b[1] - a[1] * b[0];
-            part = cross[0] * h->normal[0] + cross[1] * h->normal[1] + cross[2] * h->normal[2];
+            part = cross[0] * n[0] + cross[1] * n[1] + cross[2] * n[2];
             cone = cross[0] * o[0] + cross[1] * o[1] + cross[2] * o[2];
         }
         face->cone += cone;
@@ -29049,7 +29982,9 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
         double turn = parts * (4 * size * step + 2 * step * step + (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
         face->error = 3 * (arm + 2 * error) * turn + 6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
     }
-    face->measure = distant ? HUGE_VAL : paradt__abs(along) / (d == 2 ? sqrt(square) : 2 * sqrt(square));
+    if (!(length > 0))
+        along = paradt__length_in_unit(d == 2 ? reach : area, d, &length); // the normal is lost: too short
+    face->measure = distant ? HUGE_VAL : paradt__abs(along) / (d == 2 ? length : 2 * length);
     for (j = 0; j < d; j++) {
         double fan = along > 0 || along < 0 ? sum[j] / ((d == 2 ? 2 : 3) * along) : 0;
         face->centroid[j] = distant ? NAN : first[j] + fan;
@@ -29481,12 +30416,11 @@ static paradt_status paradt__clip_list(paradt__clipper *clipper) {
         list->sides[2 * at + 1] = h->side;
         if (clipping->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)) {
             paradt__convex_face face;
-            double square = 0;
+            double unit, length = paradt__length_in_unit(h->normal, (int)d, &unit);
             paradt__convex_measure_face(c, (paradt_index)plane, origin, &face);
             if (clipping->wants & PARADT_VORONOI_AREAS) list->areas[at] = face.measure;
-            for (j = 0; j < d; j++) square += h->normal[j] * h->normal[j];
             for (j = 0; j < d && clipping->wants & PARADT_VORONOI_NORMALS; j++) {
-                list->normals[(size_t)at * d + j] = h->normal[j] / sqrt(square);
+                list->normals[(size_t)at * d + j] = h->normal[j] * unit / length;
                 list->centroids[(size_t)at * d + j] = base[j] + face.centroid[j];
             }
         }
@@ -29587,11 +30521,12 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
     for (i = 0; i < g->cells && !status; i++) {
         const paradt_index *row = paradt__row_vertices(g, i, g->row_bytes);
         int any = 0;
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         for (j = 0; j < corners; j++) {
             paradt_index of = slot[row[j]];
             if (of >= 0) clipping->first[of + 1]++, any = 1;
         }
-        if (any) status = paradt__list_append(&cells, (paradt_index)i, g->memory);
+        if (any && !status) status = paradt__list_append(&cells, (paradt_index)i, g->memory);
     }
     for (i = 0; i < clipping->point_count; i++) clipping->first[i + 1] += clipping->first[i];
     if (!status) {
@@ -29601,6 +30536,7 @@ PARADT__HOT paradt_status paradt__clip_collect(paradt__clipping *clipping, const
     }
     for (i = 0; i < cells.count && !status; i++) {
         const paradt_index *row = paradt__row_vertices(g, (size_t)cells.items[i], g->row_bytes);
+        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
         for (j = 0; j < corners; j++) {
             paradt_index of = slot[row[j]];
             if (of >= 0) clipping->around[clipping->first[of]++] = cells.items[i];
@@ -29935,6 +30871,7 @@ PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, para
     if (status) return status;
     for (i = 0; i < n; i++) out->unbounded[paradt__voronoi_index(g, i)] = work->unbounded[i];
     for (i = 0; i < n && work->tally.sums; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
         const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
         size_t to = paradt__voronoi_index(g, i);
         int infinite = work->unbounded[i];
@@ -29967,16 +30904,20 @@ PARADT__HOT paradt_status paradt__voronoi_incidence(paradt__voronoi_work *work, 
     next = (size_t *)paradt__voronoi_array(work, n, sizeof *next, &status); // by position
     if (!status) {
         memset(next, 0, n * sizeof *next);
-        for (i = 0; i < 2 * out->face_count; i++)
+        for (i = 0; i < 2 * out->face_count && !status; i++) {
+            if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
             if (out->sides[i] >= 0) next[out->sides[i]]++;
+        }
         out->first_face[0] = 0;
         for (i = 0; i < n; i++) out->first_face[paradt__voronoi_index(g, i) + 1] = next[i];
         for (i = 0; i < n; i++) out->first_face[i + 1] += out->first_face[i];
         for (i = 0; i < n; i++) next[i] = out->first_face[paradt__voronoi_index(g, i)];
         out->faces = (paradt_index *)paradt__voronoi_array(work, out->first_face[n], sizeof *out->faces, &status);
     }
-    for (i = 0; i < 2 * out->face_count && !status; i++)
+    for (i = 0; i < 2 * out->face_count && !status; i++) {
+        if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
         if (out->sides[i] >= 0) out->faces[next[out->sides[i]]++] = (paradt_index)(i / 2);
+    }
     paradt__release(&work->memory, next);
     return status;
 }
@@ -29995,8 +30936,10 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     list->sides = NULL;
     list->areas = list->centroids = list->normals = NULL;
     status = paradt__voronoi_incidence(work, out);
-    for (i = 0; i < 2 * out->face_count && g->set.origin; i++)
+    for (i = 0; i < 2 * out->face_count && g->set.origin && !status; i++) {
+        if (paradt__meter_stops(&work->meter, i)) status = PARADT_ERROR_CANCELLED;
         if (out->sides[i] >= 0) out->sides[i] = g->set.origin[out->sides[i]];
+    }
     for (i = 0; i < out->face_count && out->areas && g->shift; i++)
         out->areas[i] = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
     for (i = 0; i < out->face_count && out->normals && (g->shift || g->k < g->d); i++) {
@@ -30062,7 +31005,10 @@ PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__
     n->same = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->same);
     n->number = (paradt_index *)paradt__alloc_filled(&work->memory, g->cells, sizeof *n->number);
     if (!n->same || !n->number) return PARADT_ERROR_MEMORY;
-    for (i = 0; i < g->cells; i++) n->same[i] = (paradt_index)i, n->number[i] = -1;
+    for (i = 0; i < g->cells; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
+        n->same[i] = (paradt_index)i, n->number[i] = -1;
+    }
     for (i = 0; i < g->cells * corners; i++) {
         paradt_index cell = (paradt_index)(i / corners), a, b;
         paradt_index link = paradt__row_vertices(g, i / corners, g->row_bytes)[corners + i % corners];
@@ -30077,7 +31023,10 @@ PARADT__HOT paradt_status paradt__numbering_cells(paradt__numbering *n, paradt__
         if (a < b) n->same[b] = a;
         else n->same[a] = b;
     }
-    for (i = 0; i < g->cells; i++) n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    for (i = 0; i < g->cells; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
+        n->same[i] = paradt__convex_root(n->same, (paradt_index)i);
+    }
     return PARADT_OK;
 }
 
@@ -30185,6 +31134,7 @@ static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__vo
     out->vertices = (double *)paradt__voronoi_array(work, n->of.count * d, sizeof(double), &status);
     if (status) return status;
     for (i = 0; i < n->of.count; i++) {
+        if (paradt__meter_stops(&work->meter, i)) return PARADT_ERROR_CANCELLED;
         paradt_index of = n->of.items[i];
         const double *x = of >= 0 ? paradt__centre_of(g, of, g->d) : work->corners.places + (size_t)(-2 - of) * d;
         for (j = 0; j < d; j++) {
@@ -30203,6 +31153,7 @@ PARADT__HOT paradt_status paradt__voronoi_polygons(paradt__voronoi_work *work, p
     memset(&n, 0, sizeof n);
     status = paradt__numbering_cells(&n, work);
     if (!status) status = paradt__numbering_places(&n, work);
+    if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     out->first_vertex = (size_t *)paradt__voronoi_array(work, work->list.count + 1, sizeof(size_t), &status);
     if (!status) out->first_vertex[0] = 0;
     for (i = 0; i < work->list.count && !status; i++) {
@@ -30248,6 +31199,7 @@ PARADT__HOT paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const 
         team = paradt__voronoi_team(work, PARADT__VORONOI_FACES);
         if (!status)
             status = paradt__faces_make(g, &team, work->wants, &work->tally, work->wants & faces ? &work->list : NULL);
+        if (!status && paradt__meter_cancels(&work->meter)) status = PARADT_ERROR_CANCELLED;
     }
     if (!status) status = paradt__voronoi_clip(work);
     if (!status) status = paradt__voronoi_cells(work, out);
@@ -30394,6 +31346,7 @@ PARADT_DEF paradt_status paradt_voronoi_compute(paradt_voronoi *out, const parad
 // paradt__check_is_odd.
 
 enum { PARADT__CHECK_PACE = 4096 }; // elements between two calls of the progress callback, which take some milliseconds
+enum { PARADT__CHECK_LOOK = 1 << 17 }; // ... and of a plain loop
 
 // The phases of the check in their order: name, part of the work that is done when the phase begins
 #define PARADT__CHECK_PHASES(X)                                                                                        \
@@ -30999,18 +31952,24 @@ static size_t paradt__check_list(const paradt__check *check, paradt__check_key *
 }
 
 // Sorts by key, in passes by one digit from the lowest. The number of passes is even, so the result is in `keys` again.
-static void paradt__check_sort(paradt__check_key *keys, paradt__check_key *other, size_t count) {
+static paradt_status paradt__check_sort(const paradt__check *check, paradt__check_key *keys, paradt__check_key *other,
+                                        size_t count) {
     int digit;
     for (digit = 0; digit < PARADT__CHECK_DIGITS; digit++) {
         size_t starts[(1 << PARADT__CHECK_DIGIT) + 1] = {0}, i, mask = (1 << PARADT__CHECK_DIGIT) - 1;
         int shift = digit * PARADT__CHECK_DIGIT;
         paradt__check_key *swap = keys;
+        if (paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
         for (i = 0; i < count; i++) starts[(keys[i].key >> shift & mask) + 1]++;
         for (i = 0; i < mask; i++) starts[i + 1] += starts[i];
-        for (i = 0; i < count; i++) other[starts[keys[i].key >> shift & mask]++] = keys[i];
+        for (i = 0; i < count; i++) {
+            if (i % PARADT__CHECK_LOOK == 0 && paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
+            other[starts[keys[i].key >> shift & mask]++] = keys[i];
+        }
         keys = other;
         other = swap;
     }
+    return PARADT_OK;
 }
 
 // Condition (8) for one point: walks from *cell, across facets that have the point beyond them, to a cell that contains
@@ -31043,7 +32002,7 @@ static paradt_status paradt__check_hidden(paradt__check *check) {
     keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
     if (!keys) return PARADT_ERROR_MEMORY;
     n = paradt__check_list(check, keys);
-    paradt__check_sort(keys, keys + n, n);
+    status = paradt__check_sort(check, keys, keys + n, n);
     for (i = 0; i < n && !status; i++) {
         paradt_index point = keys[i].point;
         status = paradt__check_pace(check, i, n);
@@ -31289,7 +32248,7 @@ static paradt_status paradt__proof_points(paradt__check *check) {
     keys = (paradt__check_key *)paradt__alloc(&check->memory, n, 2 * sizeof *keys);
     if (!keys) return PARADT_ERROR_MEMORY;
     n = paradt__check_list(check, keys);
-    paradt__check_sort(keys, keys + n, n);
+    status = paradt__check_sort(check, keys, keys + n, n);
     for (i = 0; i < n && !status; i++) {
         status = paradt__check_pace(check, i, n);
         if (check->cell_of[keys[i].point] >= 0) facet = check->cell_of[keys[i].point];
@@ -31308,6 +32267,7 @@ static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
     paradt__list stack = {NULL, 0, 0};
     paradt_status status = PARADT_OK;
     for (i = 0; i < check->set.count; i++) vertices += check->cell_of[i] >= 0;
+    if (paradt__check_pace(check, 0, 1)) return PARADT_ERROR_CANCELLED;
     if (hull->vertex_count != vertices || hull->extreme_count > vertices)
         return paradt__check_fail(check, "vertex_count is not the number of vertices", -1, -1);
     for (i = 0; i < vertices; i++) {
@@ -31320,7 +32280,8 @@ static paradt_status paradt__proof_lists(paradt__hull_proof *proof) {
     if (!flood) return PARADT_ERROR_MEMORY;
     for (i = 0; i < count; i++) flood[i] = -1;
     for (i = 0; i < count && !status; i++) { // each number names one set of facets that flat ridges connect
-        if (flood[i] >= 0) continue;
+        status = paradt__check_pace(check, i, count);
+        if (flood[i] >= 0 || status) continue;
         if (hull->plane[i] < 0 || (size_t)hull->plane[i] >= hull->plane_count || planes++ == hull->plane_count)
             status = paradt__check_fail(check, "the number of a plane is out of range", (paradt_index)i, -1);
         flood[i] = 0;

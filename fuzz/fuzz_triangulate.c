@@ -1,171 +1,18 @@
-// Any bytes are decoded to points in 2 to 5 dimensions. Then
+// Any bytes are decoded to points in 2 to 5 dimensions (fuzz.h says how). Then
 //     - all methods, with one region and with several, and the points in reverse order have to give the same cells
 //     - with PARADT_FACETS each facet of a cell has to lead to the same facet of another cell and back
 //     - paradt_check has to certify each result
 //     - after points have moved, repairing has to give the same as a new triangulation
+//     - the furthest-site triangulation has to obey its definition
 //     - a failing allocation has to be reported, and may not leak memory
 //     - after an element of a result is overwritten, paradt_check has to return, and may only certify the same cells
-//
-//     mkdir -p build/corpus # receives the inputs that the fuzzer finds
-//     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. -o build/fuzz fuzz/fuzz_triangulate.c -lm
-//     build/fuzz build/corpus fuzz/corpus
-//
-//     cc -g -DPARADT_FUZZ_STANDALONE -I. -o build/replay fuzz/fuzz_triangulate.c -lm && build/replay fuzz/corpus/*
-//
-// The first five bytes are a header:
-//     0  bits 0-1: dimension - 2; bits 2-3: encoding; bit 4: the points have weights; bit 5: every third point is a
-//        copy; bit 6: numbers that are not finite are kept; bit 7: uniform partition
-//     1  regions - 1
-//     2  parameter of the encoding
-//     3  number of the allocation that fails, and of the element that is overwritten; bits 0-1: how points move
-//     4  0, or the points are flat: bit 0: 1: an axis equals the next one, 0: it is constant; bits 1-7: this axis
-// The points follow: the coordinates of each and, if there are weights, its weight. next_number has the encodings.
-#ifndef PARADT_FUZZ_LINKED // defined if another object has the implementation
-#define PARADT_IMPLEMENTATION
-#endif
-#include "paradt.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-enum { MAX_POINTS = 64, MAX_DIM = 5, MAX_REGIONS = 9 };
-
-// Prints an error and aborts, which fuzzers notice.
-static void fail(const char *what, const char *detail) {
-    fprintf(stderr, "%s: %s\n", what, detail);
-    abort();
-}
-
-// --- bytes to points
-
-typedef struct bytes {
-    const uint8_t *data;
-    size_t left;
-} bytes;
-
-// Returns the next byte; 0 at the end.
-static int next_byte(bytes *b) {
-    if (!b->left)
-        return 0;
-    b->left--;
-    return *b->data++;
-}
-
-static int next_signed(bytes *b) {
-    int byte = next_byte(b);
-    return byte < 128 ? byte : byte - 256;
-}
-
-static double from_bits(uint64_t bits) {
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-static uint64_t to_bits(double x) {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static int is_finite(double x) {
-    return (to_bits(x) >> 52 & 2047) != 2047;
-}
-
-// Returns m * 2^e, |m| < 2^8. Stops multiplying beyond 2^1000, and dividing below 2^-1000.
-static double scaled(int m, int e) {
-    double x = m;
-    for (; e > 0 && x < 0x1p1000 && x > -0x1p1000; e--)
-        x *= 2;
-    for (; e < 0 && (x > 0x1p-1000 || x < -0x1p-1000); e++)
-        x *= 0.5;
-    return x;
-}
-
-enum { LATTICE, ULPS, SCALED, RAW };
-
-// Decodes a number. keep: 1: it may be a NaN or infinity
-// LATTICE: a signed byte, reduced modulo the parameter's bits 0-4 plus 1 (if these bits are 0, not reduced), times a
-//          power of two that bits 5-7 choose
-// ULPS:    a signed byte n: the nth representable number after a base that the parameter chooses
-// SCALED:  two signed bytes m, e: m * 2^(8 e)
-// RAW:     the eight bytes of the double, least significant first
-static double next_number(bytes *b, int encoding, int parameter, int keep) {
-    static const double bases[] = {
-        1.0,   0.0, 0x1p-1022, 0x1p-1060, 0x1.fffffffffffp1023, 0x1p300, 0x1p-300, 0x1.8p52, 0x1.999999999999ap-4,
-        1024.0};
-    static const int shifts[8] = {0, 20, -20, 40, -60, 500, -500, 900};
-    uint64_t bits = 0;
-    int i, value;
-    if (encoding == LATTICE) {
-        value = next_signed(b);
-        return scaled(parameter & 31 ? value % ((parameter & 31) + 1) : value, shifts[parameter >> 5]);
-    }
-    if (encoding == ULPS) {
-        value = next_signed(b);
-        bits = to_bits(bases[(unsigned)parameter % (sizeof bases / sizeof *bases)]);
-        if (value < 0 && (uint64_t)-value > bits)
-            return -from_bits((uint64_t)-value - bits);
-        return from_bits(bits + (uint64_t)(int64_t)value);
-    }
-    if (encoding == SCALED) {
-        value = next_signed(b);
-        return scaled(value, 8 * next_signed(b));
-    }
-    for (i = 0; i < 8; i++)
-        bits |= (uint64_t)next_byte(b) << (8 * i);
-    if (!keep && !is_finite(from_bits(bits)))
-        bits &= ~((uint64_t)1 << 62);
-    return from_bits(bits);
-}
-
-typedef struct input {
-    double x[MAX_POINTS * MAX_DIM], w[MAX_POINTS];
-    paradt_points points;
-    size_t regions;
-    paradt_partition partition;
-    int spoil;     // byte 3 of the header: number of what fails or is overwritten, and how points move
-    int first_bad; // index of the first point that is not finite, or -1
-} input;
-
-static void decode(input *in, const uint8_t *data, size_t size) {
-    // Fewer points in higher dimensions, where a point costs more: an input takes well below a tenth of a second, with
-    // sanitizers.
-    static const int most[MAX_DIM + 1] = {0, 0, 64, 40, 24, 16};
-    bytes b = {data, size};
-    int flags = next_byte(&b), regions = next_byte(&b), parameter = next_byte(&b), dim = 2 + (flags & 3), count = 0, i;
-    int encoding = flags >> 2 & 3, weighted = flags >> 4 & 1, copies = flags >> 5 & 1, keep = flags >> 6 & 1;
-    int flat, axis;
-    in->spoil = next_byte(&b);
-    flat = next_byte(&b);
-    axis = (flat >> 1) % dim;
-    in->first_bad = -1;
-    for (; b.left && count < most[dim]; count++) {
-        double *x = in->x + count * dim;
-        int from = copies && count % 3 == 2 ? next_byte(&b) % count : -1, bad;
-        for (i = 0; i < dim; i++)
-            x[i] = from >= 0 ? in->x[from * dim + i] : next_number(&b, encoding, parameter, keep);
-        if (flat)
-            x[axis] = flat & 1 ? x[(axis + 1) % dim] : 3;
-        in->w[count] = weighted ? next_number(&b, encoding, 0, keep) : 0;
-        for (i = 0, bad = !is_finite(in->w[count]); i < dim; i++)
-            bad |= !is_finite(x[i]);
-        if (bad && in->first_bad < 0)
-            in->first_bad = count;
-    }
-    memset(&in->points, 0, sizeof in->points);
-    in->points.data = in->x;
-    in->points.count = (size_t)count;
-    in->points.dim = dim;
-    in->points.weights = weighted ? in->w : NULL;
-    in->regions = (size_t)(regions % MAX_REGIONS + 1);
-    in->partition = flags >> 7 ? PARADT_UNIFORM : PARADT_BISECTION;
-}
+// in->spoil is the number of the allocation that fails, and of the element that is overwritten; bits 0-1: how points move.
+#include "fuzz.h"
+#include "wide.h"
 
 // Returns the input with the points in reverse order. The caller sets points.data and points.weights.
-static input reversed(const input *in) {
-    input out = *in;
+static decoded reversed(const decoded *in) {
+    decoded out = *in;
     size_t i, count = in->points.count, dim = (size_t)in->points.dim;
     for (i = 0; i < count; i++) {
         memcpy(out.x + i * dim, in->x + (count - 1 - i) * dim, dim * sizeof(double));
@@ -239,7 +86,7 @@ static void expect_no_false_certificate(const paradt_triangulation *t, const par
 }
 
 // The points have to be triangulated, with these options, to cells of this hash.
-static void expect_hash(const input *in, const paradt_options *options, uint64_t hash, const char *what) {
+static void expect_hash(const decoded *in, const paradt_options *options, uint64_t hash, const char *what) {
     paradt_triangulation t;
     paradt_status status = paradt_triangulate(&t, &in->points, options);
     if (status)
@@ -257,8 +104,8 @@ static void expect_hash(const input *in, const paradt_options *options, uint64_t
 
 // Triangulates the points in reverse order. The cells have to be those of t: each vertex is translated to the point
 // that stands for it in t.
-static void expect_same_reversed(const input *in, const paradt_triangulation *t) {
-    input back = reversed(in);
+static void expect_same_reversed(const decoded *in, const paradt_triangulation *t) {
+    decoded back = reversed(in);
     paradt_triangulation u;
     paradt_status status;
     uint64_t sum = 0;
@@ -286,7 +133,7 @@ static void expect_same_reversed(const input *in, const paradt_triangulation *t)
 
 // Moves points. kind: 0: each a little, in the last bits of its coordinates; 1: each by up to a 64th of its size; 2: every
 // third to the place of another; 3: none, but their weights
-static void move(input *in, int kind) {
+static void move(decoded *in, int kind) {
     size_t count = in->points.count, dim = (size_t)in->points.dim, i;
     for (i = 0; i < count * dim && kind < 2; i++)
         in->x[i] = from_bits(to_bits(in->x[i]) ^ (i * 0x9e3779b97f4a7c15u + 1) >> (kind ? 18 : 54));
@@ -297,8 +144,8 @@ static void move(input *in, int kind) {
 }
 
 // A triangulation has to become that of the points where they are now. flags: those that it is made with
-static void expect_repair(const input *in, unsigned flags) {
-    input moved = *in;
+static void expect_repair(const decoded *in, unsigned flags) {
+    decoded moved = *in;
     paradt_options options;
     paradt_triangulation t, u;
     paradt_status status;
@@ -325,39 +172,16 @@ static void expect_repair(const input *in, unsigned flags) {
     paradt_free(&u);
 }
 
-typedef struct blocks {
-    int held;    // blocks that were allocated and not freed
-    int calls;   // allocations so far
-    int fail_at; // number of the allocation that fails
-} blocks;
-
-static void *failing_alloc(void *user, size_t size) {
-    blocks *b = (blocks *)user;
-    if (b->calls++ == b->fail_at)
-        return NULL;
-    b->held++;
-    return malloc(size);
-}
-
-static void failing_free(void *user, void *memory) {
-    ((blocks *)user)->held--;
-    free(memory);
-}
-
 // A failing allocation has to be reported, and no memory may be leaked.
-static void expect_clean_failure(const input *in, uint64_t hash) {
-    blocks b = {0, 0, 0};
-    paradt_options options;
+static void expect_clean_failure(const decoded *in, uint64_t hash) {
+    account b;
+    paradt_options options = counted_options(&b);
     paradt_triangulation t;
     paradt_status status;
-    memset(&options, 0, sizeof options);
     b.fail_at = in->spoil % 32;
-    options.allocator.alloc = failing_alloc;
-    options.allocator.free = failing_free;
-    options.allocator.user = &b;
     options.regions = in->regions;
     status = paradt_triangulate(&t, &in->points, &options);
-    if (status != (b.calls > b.fail_at ? PARADT_ERROR_MEMORY : PARADT_OK))
+    if (status != (has_failed(&b) ? PARADT_ERROR_MEMORY : PARADT_OK))
         fail("failing allocation", paradt_status_string(status));
     if (!status && paradt_hash(&t) != hash)
         fail("own allocator", "the cells are others");
@@ -366,15 +190,107 @@ static void expect_clean_failure(const input *in, uint64_t hash) {
         fail("failing allocation", "memory was leaked");
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+// Sets *sum to the cells' volume times dim!, in units of 2^(dim * scale). scale: the least of all coordinates
+static void add_volumes(wide *sum, const paradt_triangulation *t, const double *x, int scale) {
+    static wide edges[WIDE_COLUMNS][WIDE_COLUMNS], start, volume;
+    size_t c;
+    int dim = t->dim, i, k;
+    sum->sign = sum->count = 0;
+    for (c = 0; c < t->cell_count; c++) {
+        const paradt_index *v = t->cells + c * (size_t)(dim + 1);
+        for (i = 0; i < dim; i++)
+            for (k = 0; k < dim; k++) {
+                wide_of(&edges[i][k], x[v[i + 1] * dim + k], scale);
+                wide_of(&start, x[v[0] * dim + k], scale);
+                wide_add(&edges[i][k], &start, -1);
+            }
+        wide_determinant(&volume, edges, dim);
+        if (volume.sign <= 0)
+            fail("volume", "a cell is flat or turned over");
+        wide_add(sum, &volume, 1);
+    }
+}
+
+// The cells of both triangulations have to fill the same hull.
+static void expect_same_volume(const decoded *in, const paradt_triangulation *t, const paradt_triangulation *u) {
+    static wide volume, other;
+    int scale = 2000;
+    size_t i;
+    for (i = 0; i < in->points.count * (size_t)in->points.dim; i++)
+        if (in->x[i] != 0 && wide_scale(in->x[i]) < scale)
+            scale = wide_scale(in->x[i]);
+    add_volumes(&volume, t, in->x, scale);
+    add_volumes(&other, u, in->x, scale);
+    if (wide_compare_sizes(&volume, &other))
+        fail("volume", "two triangulations fill different hulls");
+}
+
+// Is another point at the place of point q, and heavier?
+static int stands_behind(const decoded *in, size_t q) {
+    size_t dim = (size_t)in->points.dim, i;
+    for (i = 0; i < in->points.count; i++)
+        if (in->w[i] > in->w[q] && is_same_place(in->x + i * dim, in->x + q * dim, dim))
+            return 1;
+    return 0;
+}
+
+// Each point that is not at the place of one of the cell's vertices has to be in conflict with it.
+static void expect_all_in_conflict(const decoded *in, const paradt_triangulation *u, size_t cell) {
+    const double *p[MAX_DIM + 2];
+    double weights[MAX_DIM + 2];
+    size_t dim = (size_t)in->points.dim, q, i;
+    for (i = 0; i <= dim; i++) {
+        size_t v = (size_t)u->cells[cell * (dim + 1) + i];
+        p[i] = in->x + v * dim;
+        weights[i] = in->w[v];
+    }
+    if (paradt_orient((int)dim, p) != 1)
+        fail("furthest site", "a cell is not positively oriented");
+    for (q = 0; q < in->points.count; q++) {
+        p[dim + 1] = in->x + q * dim;
+        weights[dim + 1] = in->w[q];
+        for (i = 0; i <= dim && !is_same_place(p[i], p[dim + 1], dim); i++)
+            ;
+        if (i > dim && !stands_behind(in, q) && paradt_insphere_perturbed((int)dim, p, weights) != 1)
+            fail("furthest site", "a point is not in conflict with a cell");
+    }
+}
+
+// The furthest-site triangulation has to obey its definition, with one task and with several. t: the other one
+static void expect_furthest_site(const decoded *in, const paradt_triangulation *t) {
+    paradt_options options;
+    paradt_triangulation u, v;
+    size_t c;
+    memset(&options, 0, sizeof options);
+    options.flags = PARADT_FURTHEST_SITE;
+    expect_ok(paradt_triangulate(&u, &in->points, &options), "furthest site");
+    options.method = PARADT_LIFTED_HULL;
+    options.regions = in->regions;
+    options.flags |= PARADT_FACETS;
+    expect_ok(paradt_triangulate(&v, &in->points, &options), "furthest site, tasks");
+    if (u.dim != t->dim || v.dim != t->dim || paradt_hash(&u) != paradt_hash(&v))
+        fail("furthest site", "the tasks change the result");
+    expect_mirrors(&v, "furthest site");
+    if (u.dim == in->points.dim) {
+        for (c = 0; c < u.cell_count; c++)
+            expect_all_in_conflict(in, &u, c);
+        if (u.dim <= 3)
+            expect_same_volume(in, t, &u);
+    }
+    paradt_free(&u);
+    paradt_free(&v);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    input in;
+    static const int most_points[MAX_DIM + 1] = {0, 0, 64, 40, 24, 16};
+    source b = {data, size};
+    decoded in;
     paradt_options options;
     paradt_triangulation t;
     paradt_status status;
     uint64_t hash;
     int method;
-    decode(&in, data, size);
+    decode(&in, &b, most_points);
     memset(&options, 0, sizeof options);
     options.method = PARADT_INCODE;
     status = paradt_triangulate(&t, &in.points, &options);
@@ -403,29 +319,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     expect_repair(&in, in.regions % 2 ? PARADT_FACETS : 0);
     expect_same_reversed(&in, &t);
     expect_clean_failure(&in, hash);
+    expect_furthest_site(&in, &t);
     expect_no_false_certificate(&t, &in.points, 0, t.cells, t.cell_count * (size_t)(t.dim + 1), in.spoil);
     expect_no_false_certificate(&t, &in.points, 0, t.neighbors, t.cell_count * (size_t)(t.dim + 1), in.spoil);
     expect_no_false_certificate(&t, &in.points, 0, t.representative, t.point_count, in.spoil);
     paradt_free(&t);
     return 0;
 }
-
-#ifdef PARADT_FUZZ_STANDALONE
-int main(int argc, char **argv) {
-    static uint8_t data[1 << 16];
-    int i;
-    for (i = 1; i < argc; i++) {
-        FILE *file = fopen(argv[i], "rb");
-        size_t size;
-        if (!file) {
-            perror(argv[i]);
-            return 2;
-        }
-        size = fread(data, 1, sizeof data, file);
-        fclose(file);
-        fprintf(stderr, "%s\n", argv[i]);
-        LLVMFuzzerTestOneInput(data, size);
-    }
-    return 0;
-}
-#endif

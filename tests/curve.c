@@ -155,6 +155,71 @@ static void equal_points_are_found_on_all_scales(void **state) {
         }
 }
 
+// A hash of a record's bytes, or a comparison of them, takes zeros of one sign.
+static void records_have_no_negative_zero(void **state) {
+    const double wide[] = {-0.0, 1, -0.0}, weight = -0.0;
+    const float narrow[] = {-0.0f, 1, -0.0f}, light = -0.0f;
+    (void)state;
+    for (int floats = 0; floats < 2; floats++) {
+        paradt_points points = {0};
+        paradt__source source;
+        double record[4];
+        points.data = floats ? (const void *)narrow : (const void *)wide;
+        points.scalar = points.weight_scalar = floats ? PARADT_F32 : PARADT_F64;
+        points.weights = floats ? (const void *)&light : (const void *)&weight;
+        points.count = 1;
+        points.dim = 3;
+        source = paradt__source_of(&points);
+        paradt__read_record(&source, 0, record);
+        for (int i = 0; i < 4; i++) assert_true(paradt__bits(record[i]) == (i == 1 ? paradt__bits(1.0) : 0));
+    }
+}
+
+// Three points of which two differ along one axis alone, by one unit in the last place, and have the same first key.
+static void points_that_differ_along_one_axis_are_two(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (int axis = 0; axis < dim; axis++) {
+            double x[3 * 4];
+            paradt_index representative[3];
+            paradt_points points = paradt_points_f64(x, 3, dim);
+            paradt__memory memory;
+            paradt__set set;
+            size_t bad = 0;
+            for (int j = 0; j < dim; j++) x[j] = 0, x[dim + j] = x[2 * dim + j] = 1;
+            x[2 * dim + axis] = 1 + DBL_EPSILON;
+            paradt__memory_begin(&memory, NULL);
+            assert_int_equal(paradt__set_load(&set, &points, NULL, &paradt__alone, &memory, representative, &bad), PARADT_OK);
+            assert_int_equal(set.count, 3);
+            for (int i = 0; i < 3; i++) assert_int_equal(representative[i], i);
+            paradt__set_free(&set, &memory);
+        }
+}
+
+// A cut between two points loses bits when the set is scaled, as the points do not. They stay on its two sides.
+static void cuts_that_lose_bits_stay_between_their_points(void **state) {
+    (void)state;
+    for (int negative = 0; negative < 2; negative++) {
+        const double unit = 0x1p-1034; // scaled by 2^-40 it is the least number
+        double below = negative ? -6 * unit : 5 * unit, above = negative ? -5 * unit : 6 * unit;
+        paradt__cut cut[2];
+        paradt__cuts cuts = {0};
+        paradt__set set = {0};
+        int exact = 1;
+        memset(cut, 0, sizeof cut);
+        cuts.boxes = 2;
+        cuts.cut = cut;
+        cut[1].at = below + 0.25 * unit;
+        set.exponent = 1023 + 40;
+        assert_true(paradt__cut_is_above(cut + 1, &below) && !paradt__cut_is_above(cut + 1, &above));
+        paradt__cuts_follow(&cuts, &set, 1);
+        below = paradt__scale(below, -40, &exact);
+        above = paradt__scale(above, -40, &exact);
+        assert_true(exact);
+        assert_true(paradt__cut_is_above(cut + 1, &below) && !paradt__cut_is_above(cut + 1, &above));
+    }
+}
+
 enum { EVERYWHERE, ON_A_LATTICE, IN_CLUMPS, NEAR_A_PLANE };
 
 static void fill_spread(double *x, int kind) {
@@ -451,6 +516,9 @@ int main(void) {
         cmocka_unit_test(the_corners_of_any_box_get_different_places),
         cmocka_unit_test(sorting_keeps_the_order_of_equal_keys),
         cmocka_unit_test(equal_points_are_found_on_all_scales),
+        cmocka_unit_test(records_have_no_negative_zero),
+        cmocka_unit_test(points_that_differ_along_one_axis_are_two),
+        cmocka_unit_test(cuts_that_lose_bits_stay_between_their_points),
         cmocka_unit_test(a_sample_tells_whether_points_are_crowded),
         cmocka_unit_test(boxes_follow_each_other),
         cmocka_unit_test(points_are_measured_while_they_are_read),

@@ -229,9 +229,9 @@ static void game_move(game *g) {
     shadow_put(&g->s, id, x, w);
 }
 
-// Changes `count` points at once.
-static void game_batch(game *g, int count) {
-    int dim = g->s.dim, kind = random_below(&g->seed, 3), n = 0;
+// Changes `count` points at once. kind: 0: inserts, 1: moves, 2: removes
+static void game_batch(game *g, int count, int kind) {
+    int dim = g->s.dim, n = 0;
     double *x = (double *)need((size_t)(count * dim), sizeof(double)), *w = (double *)need((size_t)count, sizeof(double));
     paradt_index *ids = (paradt_index *)need((size_t)count, sizeof(paradt_index));
     for (int i = 0; kind && i < g->s.ids && n < count; i++)
@@ -262,7 +262,7 @@ static void game_batch(game *g, int count) {
 static void game_step(game *g, int wanted) {
     int draw = random_below(&g->seed, 20);
     if (draw == 0)
-        game_batch(g, 1 + random_below(&g->seed, 12));
+        game_batch(g, 1 + random_below(&g->seed, 12), random_below(&g->seed, 3));
     else if (!g->s.count || draw < (g->s.count < wanted ? 10 : 4))
         game_insert(g);
     else if (draw < 14)
@@ -298,6 +298,86 @@ static void changed_is_new(void **state) {
 }
 
 
+// What points of a set are located by; the first one's points go and move, too
+static const paradt_method ways[] = {PARADT_AUTO, PARADT_DELAUNAY_TREE, PARADT_FLIP};
+enum { WAYS = 3 };
+
+// Points that are located by all cells that there were only come, one by one and some at once. state: family
+static void located_by_what_was_is_new(void **state) {
+    int f = (int)(intptr_t)*state;
+    for (int dim = 2; dim <= 4; dim++)
+        for (int w = 0; w < WEIGHTING_COUNT; w++)
+            for (int way = 1; way < WAYS; way++) {
+                int extremes = families[f].extremes || weightings[w].extremes;
+                int count = extremes ? points_in[dim] / 3 : points_in[dim], steps = SANITIZED ? 10 : extremes ? 20 : 40;
+                sample pool = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(3 + f + 50 * w));
+                paradt_options options = {0};
+                options.method = ways[way];
+                game g = game_begin(&pool, (w + way) % 2 ? 0 : pool.count / 2, &options, (uint64_t)(f + w + dim));
+                expect_canonical(g.d, &g.s, pool.name);
+                for (int step = 0; step < steps; step++) {
+                    if (step % 10 == 9)
+                        game_batch(&g, 1 + random_below(&g.seed, 12), 0);
+                    else
+                        game_insert(&g);
+                    expect_canonical(g.d, &g.s, pool.name);
+                }
+                game_end(&g);
+                sample_free(&pool);
+            }
+}
+
+// Removing and moving is refused there, and leaves the set.
+static void located_by_what_was_stays(void **state) {
+    (void)state;
+    for (int way = 1; way < WAYS; way++) {
+        sample pool = family_make(&families[family_named("uniform")], NULL, 3, 100, 4);
+        paradt_options options = {0};
+        paradt_dynamic_info info;
+        paradt_points two = paradt_points_f64(pool.x + 3 * 98, 2, 3);
+        paradt_index ids[] = {3, 5};
+        options.method = ways[way];
+        game g = game_begin(&pool, 90, &options, 3);
+        assert_int_equal(paradt_dynamic_remove(g.d, 3), PARADT_ERROR_ARGUMENT);
+        assert_int_equal(paradt_dynamic_remove_points(g.d, ids, 2), PARADT_ERROR_ARGUMENT);
+        assert_int_equal(paradt_dynamic_move(g.d, 3, pool.x + 3 * 95, 0.0), PARADT_ERROR_ARGUMENT);
+        assert_int_equal(paradt_dynamic_move_points(g.d, ids, &two), PARADT_ERROR_ARGUMENT);
+        paradt_dynamic_get_info(g.d, &info);
+        assert_non_null(strstr(info.error_text, "insertion"));
+        expect_canonical(g.d, &g.s, pool.name);
+        game_insert(&g);
+        expect_canonical(g.d, &g.s, pool.name);
+        game_end(&g);
+        sample_free(&pool);
+    }
+}
+
+// Thousands of points come one by one to a set of thousands, at random and along a line.
+static void located_by_what_was_goes_on(void **state) {
+    (void)state;
+    for (int way = 1; way < WAYS; way++)
+        for (int dim = 2; dim <= 3; dim++)
+            for (int w = 0; w < 2; w++) {
+                int count = SANITIZED ? 600 : 6000;
+                sample pool = family_make(&families[family_named("uniform")], &weightings[w], dim, count, 4);
+                paradt_options options = {0};
+                options.method = ways[way];
+                game g = game_begin(&pool, count / 2, &options, 3);
+                for (int i = count / 2; i < count; i++) {
+                    double x[CELLS_MAX_DIM];
+                    paradt_index id;
+                    double weight = pool.w ? pool.w[i] : 0.0;
+                    for (int k = 0; k < dim; k++)
+                        x[k] = i % 3 ? pool.x[i * dim + k] : (double)i / (double)count;
+                    assert_int_equal(paradt_dynamic_insert(g.d, x, weight, -1, &id), PARADT_OK);
+                    shadow_put(&g.s, id, x, weight);
+                }
+                expect_canonical(g.d, &g.s, pool.name);
+                game_end(&g);
+                sample_free(&pool);
+            }
+}
+
 // --- growing
 
 // Points that come one by one: all at one place, then on a line, in a plane, and so on; and that go in an order of
@@ -305,13 +385,15 @@ static void changed_is_new(void **state) {
 static void dimension_rises_and_falls(void **state) {
     (void)state;
     for (int dim = 2; dim <= LARGEST_DIM; dim++)
-        for (int order = 0; order < 3; order++) {
+        for (int order = 0; order < 2 + WAYS; order++) {
             uint64_t seed = (uint64_t)(7 * dim + order);
             paradt_points none = paradt_points_f64(NULL, 0, dim);
+            paradt_options options = {0};
             paradt_dynamic_info info;
             game g = {0};
             g.s.dim = dim;
-            assert_int_equal(paradt_dynamic_create(&g.d, &none, NULL), PARADT_OK);
+            options.method = ways[order < 3 ? 0 : order - 2];
+            assert_int_equal(paradt_dynamic_create(&g.d, &none, &options), PARADT_OK);
             expect_canonical(g.d, &g.s, "nothing");
             for (int flat = 0; flat <= dim; flat++)
                 for (int i = 0; i < 5; i++) {
@@ -327,7 +409,7 @@ static void dimension_rises_and_falls(void **state) {
                 }
             paradt_dynamic_get_info(g.d, &info);
             assert_int_equal(info.dim, dim);
-            while (g.s.count) {
+            while (g.s.count && order < 3) {
                 paradt_index id = order == 0 ? g.s.ids - 1 : 0;
                 while (order < 2 && !g.s.there[id])
                     id += order == 0 ? -1 : 1;
@@ -344,9 +426,12 @@ static void dimension_rises_and_falls(void **state) {
 // Points that come from farther and farther away, up to where numbers end.
 static void range_grows(void **state) {
     (void)state;
-    for (int dim = 2; dim <= 3; dim++) {
+    for (int run = 0; run < 2 * WAYS; run++) {
+        int dim = 2 + run % 2;
+        paradt_options options = {0};
+        options.method = ways[run / 2];
         sample pool = family_make(&families[family_named("uniform")], NULL, dim, 40, 5);
-        game g = game_begin(&pool, 40, NULL, 3);
+        game g = game_begin(&pool, 40, &options, 3);
         for (int e = 1; e < 1023; e += e < 12 ? 1 : 90) {
             double x[CELLS_MAX_DIM];
             paradt_index id;
@@ -355,7 +440,9 @@ static void range_grows(void **state) {
             assert_int_equal(paradt_dynamic_insert(g.d, x, 0.0, -1, &id), PARADT_OK);
             shadow_put(&g.s, id, x, 0.0);
             expect_canonical(g.d, &g.s, "farther and farther");
-            if (e % 2)
+            if (options.method)
+                game_insert(&g);
+            else if (e % 2)
                 game_remove(&g);
             else
                 game_move(&g);
@@ -426,6 +513,93 @@ static void failing_free(void *user, void *memory) {
     free(memory);
 }
 
+// Counts the cells of a vertex by looking at all, and fails unless the star is these, each once.
+static int expect_star(const paradt_dynamic *d, paradt_index id, paradt_index *cells, size_t room) {
+    paradt_dynamic_info info;
+    paradt_index row[PARADT_MAX_DIM + 1];
+    int count = 0;
+    paradt_dynamic_get_info(d, &info);
+    char *seen = (char *)need(info.cell_end, 1);
+    size_t stars = paradt_dynamic_star(d, id, cells, room);
+    assert_true(stars <= room);
+    for (size_t i = 0; i < stars; i++) {
+        assert_true(!seen[cells[i]]);
+        seen[cells[i]] = 1;
+    }
+    for (paradt_index place = 0; place < (paradt_index)info.cell_end; place++) {
+        int has = 0;
+        if (!paradt_dynamic_cell(d, place, row, NULL))
+            continue;
+        for (int i = 0; i <= info.dim; i++)
+            has |= row[i] == id;
+        assert_int_equal(seen[place], has);
+        count += has;
+    }
+    assert_int_equal(stars, count);
+    free(seen);
+    return count;
+}
+
+// A point with very many cells: its star is whole, with and without memory, and takes the time that it takes to read so
+// many cells, however many others there are.
+static void large_stars_are_whole(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++) {
+        int count = SANITIZED ? 16000 : 40000, many;
+        failing memory = {0, 0, 0};
+        paradt_options options = {0};
+        paradt_dynamic *d;
+        options.allocator.alloc = failing_alloc;
+        options.allocator.free = failing_free;
+        options.allocator.user = &memory;
+        sample pool = family_make(&families[family_named("uniform")], NULL, dim, count, 9);
+        for (int i = 0; i < count; i++) { // those near the centre go to a sphere around it
+            double square = 0.0, *x = pool.x + i * dim, radius = dim == 2 ? 0.08 : 0.2;
+            for (int k = 0; k < dim; k++)
+                square += (x[k] - 0.5) * (x[k] - 0.5);
+            for (int k = 0; k < dim; k++)
+                x[k] = !i ? 0.5 : square < radius * radius ? 0.5 + (x[k] - 0.5) * radius / sqrt(square) : x[k];
+        }
+        paradt_points points = points_of(&pool);
+        assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_OK);
+        size_t live = memory.live;
+        paradt_index *cells = (paradt_index *)need(20000, sizeof *cells), few[3] = {-1, -1, -1};
+        many = expect_star(d, 0, cells, 20000);
+        assert_true(many > 257);
+        for (size_t at = 1; at < 20; at++) {
+            memory.calls = 0;
+            memory.fail_at = at;
+            assert_int_equal(expect_star(d, 0, cells, 20000), many);
+            memory.fail_at = 0;
+        }
+        assert_int_equal(paradt_dynamic_star(d, 0, few, 2), many);
+        assert_true(few[1] >= 0 && few[2] == -1);
+        assert_int_equal(memory.live, live);
+        if (!SANITIZED) {
+            paradt_dynamic_info info;
+            double star = 1e9, all = 1e9;
+            paradt_dynamic_get_info(d, &info);
+            for (int again = 0; again < 5; again++) {
+                clock_t begun = clock();
+                for (int i = 0; i < 20; i++)
+                    paradt_dynamic_star(d, 0, cells, 20000);
+                star = fmin(star, (double)(clock() - begun));
+                begun = clock();
+                for (int i = 0; i < 20; i++)
+                    for (paradt_index place = 0; place < (paradt_index)info.cell_end; place++)
+                        paradt_dynamic_cell(d, place, cells, NULL);
+                all = fmin(all, (double)(clock() - begun));
+            }
+            print_message("# %d dimensions: star of %d cells, reading all %d times as many: %.3f of the time\n", dim, many,
+                          (int)info.cell_count / many, star / all);
+            assert_true(star < 0.5 * all);
+        }
+        paradt_dynamic_free(d);
+        sample_free(&pool);
+        free(cells);
+    }
+}
+
 // One change of each kind; returns its status.
 static paradt_status change_once(game *g, int kind, const double *x, const double *w, paradt_index *ids, int n) {
     paradt_points points = paradt_points_f64(x, (size_t)n, g->s.dim);
@@ -439,10 +613,11 @@ static paradt_status change_once(game *g, int kind, const double *x, const doubl
 
 // state: family
 static void failing_allocations_leave_the_set(void **state) {
-    int f = (int)(intptr_t)*state;
+    int f = (int)(intptr_t)*state, failed_of_one = 0;
     for (int dim = 2; dim <= 4; dim++)
         for (int w = 0; w < 3; w++)
-            for (int kind = 0; kind < 6; kind++) {
+            for (int run = 0; run < 6 + 2 * (WAYS - 1); run++) { // one point or some: inserted, moved, removed; inserted
+                int kind = run < 6 ? run : 3 * (run % 2), way = run < 6 ? 0 : (run - 4) / 2;
                 int count = dim < 4 ? 40 : 14, n = kind < 3 ? 1 : 9, failed = 0;
                 double x[9 * CELLS_MAX_DIM], weight[9];
                 paradt_index ids[9];
@@ -451,6 +626,7 @@ static void failing_allocations_leave_the_set(void **state) {
                 options.allocator.alloc = failing_alloc;
                 options.allocator.free = failing_free;
                 options.allocator.user = &memory;
+                options.method = ways[way];
                 sample pool = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(8 + w));
                 game g = game_begin(&pool, pool.count / 2, &options, (uint64_t)(kind + 8 * w));
                 paradt_status status = PARADT_ERROR_MEMORY;
@@ -474,30 +650,36 @@ static void failing_allocations_leave_the_set(void **state) {
                     if (at % 3 == 1 || at < 12)
                         expect_canonical(g.d, &g.s, pool.name);
                 }
-                assert_true(failed > 0);
+                assert_true(failed > 0 || n == 1); // what one point takes may be there
+                failed_of_one += n == 1 ? failed : 0;
                 for (int i = 0; i < n; i++)
                     if (kind % 3 < 2)
                         shadow_put(&g.s, ids[i], x + i * dim, weight[i]);
                     else
                         shadow_take(&g.s, ids[i]);
                 expect_canonical(g.d, &g.s, pool.name);
+                for (int i = 0; i < 4; i++)
+                    game_insert(&g);
+                expect_canonical(g.d, &g.s, pool.name);
                 game_end(&g);
                 assert_int_equal(memory.live, 0);
                 sample_free(&pool);
             }
+    assert_true(failed_of_one > 0);
 }
 
 // Creating either works or leaves nothing behind.
 static void failing_allocations_while_creating(void **state) {
     (void)state;
-    for (int w = 0; w < 2; w++) {
-        sample pool = family_make(&families[family_named("duplicates")], &weightings[w], 3, 60, 4);
+    for (int run = 0; run < 2 * WAYS; run++) {
+        sample pool = family_make(&families[family_named("duplicates")], &weightings[run % 2], 3, 60, 4);
         paradt_points points = points_of(&pool);
         paradt_status status = PARADT_ERROR_MEMORY;
         for (size_t at = 1; status; at++) {
             failing memory = {0, at, 0};
             paradt_options options = {0};
             paradt_dynamic *d;
+            options.method = ways[run / 2];
             options.allocator.alloc = failing_alloc;
             options.allocator.free = failing_free;
             options.allocator.user = &memory;
@@ -518,13 +700,13 @@ static void every_way_of_creating_leads_on(void **state) {
         for (int w = 0; w < 2; w++)
             for (int name = 0; name < 4; name++)
                 for (int e = -400; e <= 400; e += 400) {
+                    if (SANITIZED && (e || w))
+                        continue;
                     sample pool = family_make(&families[family_named(names[name])], &weightings[w], dim,
                                               dim < 4 ? 2500 : 300, (uint64_t)(8 + w));
                     paradt_options options = {0};
                     options.regions = (size_t)(1 + name);
                     options.parallel_for = run_backwards;
-                    if (SANITIZED && (e || w))
-                        continue;
                     for (int i = 0; i < pool.count * dim; i++)
                         pool.x[i] = ldexp(pool.x[i], e);
                     for (int i = 0; i < pool.count && pool.w; i++)
@@ -575,10 +757,11 @@ static void cancelled_batches_leave_the_set(void **state) {
     options.progress = cancel_later;
     options.user = &calls;
     for (int large = 0; large < 2; large++)
-        for (int kind = 0; kind < 3; kind++) {
-            int n = large ? 2000 : 300, cancelled = 0;
+        for (int run = 0; run < 2 + WAYS; run++) { // all kinds, then insertion in other ways
+            int kind = run < 3 ? run : 0, n = large ? 2000 : 300, cancelled = 0;
             paradt_index *ids = (paradt_index *)need((size_t)n, sizeof *ids);
             calls = 1 << 30;
+            options.method = ways[run < 3 ? 0 : run - 2];
             game g = game_begin(&pool, 4000, &options, 2);
             for (int i = 0; i < n; i++)
                 ids[i] = 2 * i;
@@ -756,6 +939,45 @@ static void places_are_found(void **state) {
     }
 }
 
+// A walk may begin outside, at the ghost of a hull facet that the place is on.
+static void vertices_on_the_hull_are_found_from_anywhere(void **state) {
+    static const double x[] = {1, -0x1.4p504, 0x1p501, -0x1p500, 1, 0};
+    paradt_points points = paradt_points_f64(x, 3, 2);
+    paradt_dynamic *d;
+    (void)state;
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    for (int turn = 0; turn < 2; turn++) { // in the second the set's hint is a ghost
+        for (int i = 0; i < 3; i++)
+            for (paradt_index hint = -1; hint < 3; hint++) {
+                paradt_location at = paradt_dynamic_locate(d, x + 2 * i, hint);
+                paradt_index v[3];
+                assert_true(paradt_dynamic_cell(d, at.cell, v, NULL));
+                for (int j = 0; j < 3; j++)
+                    assert_int_equal(at.face >> j & 1, v[j] == i);
+            }
+        assert_int_equal(paradt_dynamic_move(d, 0, x, 0), PARADT_OK);
+    }
+    paradt_dynamic_free(d);
+}
+
+// In a batch points come to the places of vertices, for which they stand then, before these vertices' cells die.
+static void killed_cells_have_the_ids_that_they_had(void **state) {
+    static const double x[] = {9, 9, 0, 0, 4, 0, 0, 4}, more[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    paradt_points points = paradt_points_f64(x, 4, 2), come = paradt_points_f64(more, 4, 2);
+    paradt_dynamic *d;
+    paradt_dynamic_update u;
+    (void)state;
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    assert_int_equal(paradt_dynamic_remove(d, 0), PARADT_OK); // its id is that of the first to come
+    assert_int_equal(paradt_dynamic_insert_points(d, &come, NULL), PARADT_OK);
+    paradt_dynamic_get_update(d, &u);
+    assert_int_equal(paradt_dynamic_representative(d, 1), 0);
+    if (!u.rebuilt)
+        for (size_t i = 0; i < 3 * u.killed_count; i++)
+            assert_true(u.killed_vertices[i] >= 1 && u.killed_vertices[i] <= 3);
+    paradt_dynamic_free(d);
+}
+
 // Many changes in a row; SOAK says how many.
 static void soak(void **state) {
     const char *wanted = getenv("SOAK");
@@ -778,7 +1000,7 @@ static void soak(void **state) {
 }
 
 int main(void) {
-    static struct CMUnitTest tests[2 * FAMILY_COUNT + 16];
+    static struct CMUnitTest tests[3 * FAMILY_COUNT + 20];
     static const char *const some[] = {"uniform", "lattice", "duplicates", "axis plane", "line"};
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT; f++)
@@ -786,6 +1008,12 @@ int main(void) {
     for (size_t i = 0; i < sizeof some / sizeof *some; i++)
         tests[count++] = named_test(failing_allocations_leave_the_set, (void *)(intptr_t)family_named(some[i]),
                                     "failing_allocations_leave_the_set_%s", some[i]);
+    for (int f = 0; f < FAMILY_COUNT; f++)
+        tests[count++] = named_test(located_by_what_was_is_new, (void *)(intptr_t)f, "located_by_what_was_is_new_%s",
+                                    families[f].name);
+    tests[count++] = named_test(large_stars_are_whole, NULL, "large_stars_are_whole");
+    tests[count++] = named_test(located_by_what_was_stays, NULL, "located_by_what_was_stays");
+    tests[count++] = named_test(located_by_what_was_goes_on, NULL, "located_by_what_was_goes_on");
     tests[count++] = named_test(failing_allocations_while_creating, NULL, "failing_allocations_while_creating");
     tests[count++] = named_test(dimension_rises_and_falls, NULL, "dimension_rises_and_falls");
     tests[count++] = named_test(range_grows, NULL, "range_grows");
@@ -796,6 +1024,9 @@ int main(void) {
     tests[count++] = named_test(wrong_arguments_are_refused, NULL, "wrong_arguments_are_refused");
     tests[count++] = named_test(updates_tell_what_changed, NULL, "updates_tell_what_changed");
     tests[count++] = named_test(places_are_found, NULL, "places_are_found");
+    tests[count++] = named_test(vertices_on_the_hull_are_found_from_anywhere, NULL,
+                                "vertices_on_the_hull_are_found_from_anywhere");
+    tests[count++] = named_test(killed_cells_have_the_ids_that_they_had, NULL, "killed_cells_have_the_ids_that_they_had");
     tests[count++] = named_test(soak, NULL, "soak");
     return run_named_tests("dynamic", tests, count);
 }

@@ -1,21 +1,13 @@
 #!/bin/sh
 # The examples: each compiles alone without warnings, runs, and prints and draws what it says. Prints TAP.
 root=$PWD
+. tests/programs/tap.sh
 work=$root/build/tests/examples
 rm -rf "$work"
 mkdir -p "$work" && cd "$work" || exit 1
 CC=${CC:-cc}
 
-number=0
-report() { # 0: passed, name
-    number=$((number + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $number - $2"
-    else
-        echo "not ok $number - $2"
-        cat log out 2>/dev/null | head -12 | cut -c 1-300 | sed 's/^/# /'
-    fi
-}
+explain() { head -n 12 log out 2>/dev/null; }
 ran() { # name: compiles an example and runs it; writes the file out
     rm -f out
     $CC -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Werror -o "$1" "$root/examples/$1.c" -lm >log 2>&1 && "./$1" >out 2>>log
@@ -61,4 +53,4 @@ for file in "$root"/examples/*.c; do
     case $listed in *" $name "*) ;; *) echo "$name is not tested" >log && (exit 1) && break ;; esac
 done
 report $? every_example_is_tested
-echo "1..$number"
+plan

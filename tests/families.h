@@ -381,6 +381,28 @@ static inline void points_graded(sample *s, uint64_t *seed) {
         s->x[i] = ldexp(1, -random_below(seed, s->count / 2 + 2) % 60);
 }
 
+// Exactly in the plane of the last axis but for one point, so near to it that only exact arithmetic sees it off the plane
+static inline void points_plane_but_one(sample *s, uint64_t *seed) {
+    int one = s->count ? random_below(seed, s->count) : 0, i = 0;
+    double off = random_sign(seed) * ldexp(1, -14 - random_below(seed, 87));
+    FOR_EACH_POINT(s, x) {
+        for (int k = 0; k < s->dim; k++)
+            x[k] = k == s->dim - 1 ? 0 : random_unit(seed);
+        if (i++ == one)
+            x[s->dim - 1] = off;
+    }
+}
+
+// The same with one in eight of the points off the plane, each by a power of two of its own
+static inline void points_plane_but_few(sample *s, uint64_t *seed) {
+    FOR_EACH_POINT(s, x) {
+        for (int k = 0; k < s->dim; k++)
+            x[k] = k == s->dim - 1 ? 0 : random_unit(seed);
+        if (random_below(seed, 8) == 0)
+            x[s->dim - 1] = random_sign(seed) * ldexp(1, -14 - random_below(seed, 87));
+    }
+}
+
 typedef struct family {
     const char *name;
     void (*fill)(sample *s, uint64_t *seed);
@@ -424,6 +446,8 @@ static const family families[] = {
     {"moment curve", points_moment_curve, 40, 0},                // neighbourly
     {"graded", points_graded, 1000, 0},                          // every scale, coplanar and cospherical
     {"rough sphere", points_rough_sphere, 0, 0},                 // off a sphere by much more than rounding errors
+    {"plane but one", points_plane_but_one, 0, 0},               // coplanar, exactly, but for one point
+    {"plane but few", points_plane_but_few, 0, 0},               // coplanar, exactly, but for one in eight
 };
 enum { FAMILY_COUNT = sizeof families / sizeof families[0] };
 

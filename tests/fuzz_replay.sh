@@ -1,17 +1,12 @@
 #!/bin/sh
 # Every fuzz harness survives every file of its corpus. Harnesses are built with the sanitizers, if there are any. Prints TAP.
-number=0
-for source in fuzz/*.c; do
+# The log of one that does not ends with the name of the file.
+. tests/programs/tap.sh
+for source in fuzz/fuzz_*.c; do
     harness=$(basename "$source" .c)
-    for seed in fuzz/corpus/*; do
-        number=$((number + 1))
-        log=build/tests/fuzz/$harness.log
-        if timeout 120 "build/tests/fuzz/$harness" "$seed" >"$log" 2>&1; then
-            echo "ok $number - ${harness}_survives_$(basename "$seed")"
-        else
-            echo "not ok $number - ${harness}_survives_$(basename "$seed")"
-            tail -15 "$log" | sed 's/^/# /'
-        fi
-    done
+    corpus=fuzz/corpus/${harness#fuzz_}
+    log=build/tests/fuzz/$harness.log
+    timeout 300 "build/tests/fuzz/$harness" "$corpus"/* >"$log" 2>&1
+    report $? "${harness}_survives_its_$(ls "$corpus" | wc -l)_seeds" "$log"
 done
-echo "1..$number"
+plan

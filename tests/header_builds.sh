@@ -11,19 +11,9 @@ mkdir -p "$work"
 smallest=tests/programs/smallest.c
 common="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I."
 c="$common -Wstrict-prototypes -x c"
-number=0
+. tests/programs/tap.sh
 runner= # the command that runs programs for another processor
 
-report() { # ok|not ok, name, log
-    number=$((number + 1))
-    echo "$1 $number - $2"
-    [ "$1" = ok ] || sed 's/^/# /' "$3" | head -20
-}
-skip() {
-    number=$((number + 1))
-    echo "ok $number - $1 # SKIP $2"
-}
-has() { command -v "$1" >/dev/null 2>&1; }
 
 # builds NAME SHELL-COMMAND: the command must succeed, print nothing, and make the program $work/NAME, whose output must be that of
 # the first program. The programs certify their results by paradt_check.
@@ -33,9 +23,9 @@ builds() {
     log=$work/$name.log
     if sh -c "$2" >"$log" 2>&1 && [ ! -s "$log" ] && $runner "$work/$name" >"$log" 2>&1 &&
         { [ -n "$expected" ] || expected=$(head -1 "$log"); } && [ "$(sort -u "$log")" = "$expected" ]; then
-        report ok "$name"
+        report 0 "$name"
     else
-        report "not ok" "$name" "$log"
+        report 1 "$name" "$log"
     fi
 }
 
@@ -105,4 +95,4 @@ elif has tcc; then
 else
     skip tcc "tcc is not installed"
 fi
-echo "1..$number"
+plan

@@ -5,15 +5,10 @@ work=build/tests/manners
 rm -rf "$work"
 mkdir -p "$work"
 CC=${CC:-cc}
-number=0
-report() { # name, file that lists what should not be there
-    number=$((number + 1))
-    if [ -s "$2" ]; then
-        echo "not ok $number - $1"
-        sed 's/^/# /' "$2" | head -20
-    else
-        echo "ok $number - $1"
-    fi
+. tests/programs/tap.sh
+nothing() { # name, file that lists what should not be there
+    [ ! -s "$2" ]
+    report $? "$1" "$2"
 }
 printf '#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' >"$work/all.c"
 printf '#include "paradt.h"\n' >"$work/none.c"
@@ -22,8 +17,8 @@ for kind in all none static; do
     # Unoptimised code has symbols for every function and object that the source defines or calls.
     $CC -O0 -DNDEBUG -I. -c "$work/$kind.c" -o "$work/$kind.o" 2>"$work/$kind.errors" || {
         cp "$work/$kind.errors" "$work/failed"
-        report "the_header_compiles_alone_($kind)" "$work/failed"
-        echo "1..$number"
+        nothing "the_header_compiles_alone_($kind)" "$work/failed"
+        plan
         exit 1
     }
     nm "$work/$kind.o" >"$work/$kind.symbols"
@@ -35,25 +30,25 @@ if $CC -O0 -DNDEBUG -fno-pic -fno-pie -I. -c "$work/all.c" -o "$work/fixed.o" 2>
 else
     echo "it does not compile" >>"$work/mutable"
 fi
-report no_mutable_global_state "$work/mutable"
+nothing no_mutable_global_state "$work/mutable"
 
 awk 'NF == 3 && $2 ~ /^[A-Z]$/ && $2 != "U" && $3 !~ /^paradt_[a-z]/ { print $3 }' "$work/all.symbols" >"$work/foreign"
-report every_public_symbol_begins_with_paradt "$work/foreign"
+nothing every_public_symbol_begins_with_paradt "$work/foreign"
 
 sed -n 's/^PARADT_DEF.*[ *]\(paradt_[a-z0-9_]*\)(.*/\1/p' paradt.h | sort -u >"$work/declared"
 awk 'NF == 3 && $2 == "T" { print $3 }' "$work/all.symbols" | sort -u >"$work/defined"
 comm -3 "$work/declared" "$work/defined" >"$work/difference"
-report every_declared_function_is_defined_and_no_other "$work/difference"
+nothing every_declared_function_is_defined_and_no_other "$work/difference"
 
 awk '$1 == "U" || $2 == "U" { print $NF }' "$work/none.symbols" >"$work/from_declarations"
 awk 'NF == 3 { print $3 }' "$work/none.symbols" >>"$work/from_declarations"
-report the_declarations_alone_define_and_need_nothing "$work/from_declarations"
+nothing the_declarations_alone_define_and_need_nothing "$work/from_declarations"
 
 awk 'NF == 3 && $2 ~ /^[A-Z]$/ && $2 != "U" { print $3 }' "$work/static.symbols" >"$work/exported"
-report paradt_static_exports_nothing "$work/exported"
+nothing paradt_static_exports_nothing "$work/exported"
 
 nm -u "$work/all.o" | awk '{ print $NF }' | sed 's/@.*//' |
     grep -E '^_*(exit|_Exit|quick_exit|abort|.*printf.*|puts|putchar|fputs|fwrite|perror|fe[sg]et.*|longjmp|signal|raise|rand|srand|random|pthread.*|__assert.*|getenv|setlocale|strtok|atexit|system)$' \
     >"$work/calls"
-report no_exit_no_printing_no_global_state_of_the_c_library "$work/calls"
-echo "1..$number"
+nothing no_exit_no_printing_no_global_state_of_the_c_library "$work/calls"
+plan

@@ -468,6 +468,22 @@ static void huge_and_tiny_measures_are_scaled(void **state) {
 
 // --- threads
 
+// Of a needle the measure may be less than 2^-511 of what its length suggests.
+static void needles_have_a_measure(void **state) {
+    static const double plane[] = {0, 0, 0x1p700, 0, 0, 1}, space[] = {0, 0, 0, 0x1p300, 0, 0, 0, 1, 0, 0, 0, 1};
+    paradt_points points = paradt_points_f64(plane, 3, 2);
+    paradt_hull hull;
+    (void)state;
+    assert_int_equal(paradt_hull_compute(&hull, &points, NULL), PARADT_OK);
+    assert_true(hull.volume_error < 1e-12 * 0x1p699 && fabs(hull.volume - 0x1p699) <= hull.volume_error);
+    paradt_hull_free(&hull);
+    points = paradt_points_f64(space, 4, 3);
+    assert_int_equal(paradt_hull_compute(&hull, &points, NULL), PARADT_OK);
+    assert_true(hull.volume_error < 1e-12 * 0x1p300 && fabs(6 * hull.volume - 0x1p300) <= 7 * hull.volume_error);
+    assert_true(hull.area_error < 1e-12 * 0x1p300 && fabs(hull.area / (1 + sqrt(0.5)) - 0x1p300) <= 0x1p260);
+    paradt_hull_free(&hull);
+}
+
 static void threads_give_the_same_hull(void **state) {
     (void)state;
     for (int dim = 2; dim <= 4; dim++)
@@ -746,6 +762,7 @@ int main(void) {
         cmocka_unit_test(cubes_simplices_and_cross_polytopes_have_their_measures),
         cmocka_unit_test(flat_sets_have_the_measures_of_their_flat),
         cmocka_unit_test(huge_and_tiny_measures_are_scaled),
+        cmocka_unit_test(needles_have_a_measure),
         cmocka_unit_test(threads_give_the_same_hull),
         cmocka_unit_test(every_allocation_may_fail),
         cmocka_unit_test(the_memory_limit_is_kept),

@@ -308,9 +308,9 @@ static void check_powers(const building *b) {
             const double *x = paradt__scene_record(&b->build.scene, other);
             paradt__centred seen = paradt__centred_of(b->build.kept, x);
             const paradt__sphere *sphere = paradt__kept_sphere(&b->build, (paradt_index)at);
-            int near = paradt__kept_is_near(b->build.kept, (int)corners);
-            double power = paradt__kept_power(sphere, &seen, (int)corners, near);
-            double error = paradt__kept_error(sphere, &seen, near);
+            int nearby = paradt__kept_is_near(b->build.kept, (int)corners);
+            double power = paradt__kept_power(sphere, &seen, (int)corners, nearby);
+            double error = paradt__kept_error(sphere, &seen, nearby);
             assert_true(error_of_power(power, v, x, &b->build.scene.space) <= error);
             asked++;
             for (size_t i = 0; i < corners; i++) is_vertex |= other == vertices[i];
@@ -470,6 +470,102 @@ static void near_a_plane_there_are_no_sagittas(void **state) {
     }
 }
 
+// A ghost's function decides as the side of its hull facet does, and leaves points in the facet's plane to the predicates.
+static void check_ghosts(const building *b) {
+    size_t corners = (size_t)b->build.scene.mesh.corners, sides[3] = {0, 0, 0};
+    paradt__scene scene = b->build.scene;
+    for (size_t at = 0; at < b->build.scene.mesh.count; at++) {
+        const paradt_index *vertices = b->build.scene.mesh.vertices + corners * at;
+        int ghost = vertices[0] == PARADT__DEAD ? -1 : paradt__ghost_place(vertices, (int)corners);
+        for (size_t i = 0; i < b->set.count && ghost >= 0; i++) {
+            const double *x = paradt__record(&b->set, (paradt_index)i);
+            paradt__centred seen = paradt__centred_of(b->build.kept, x);
+            const paradt__sphere *sphere = paradt__kept_sphere(&b->build, (paradt_index)at);
+            double power = paradt__sphere_power(sphere, &seen);
+            int side = paradt__side(&scene, (paradt_index)at, ghost, x);
+            sides[1 + side]++;
+            if (!(fabs(power) > sphere->error)) continue;
+            assert_true(side != 0);
+            assert_int_equal(power < 0, side > 0);
+        }
+    }
+    assert_true(sides[0] && sides[1] && !sides[2]); // the hull is complete
+}
+
+// Points exactly in a plane, and one that is off it by as little as rounding errors, or much less.
+static void ghosts_leave_points_in_their_planes_to_the_predicates(void **state) {
+    enum { COPLANAR = 400 };
+    static double x[3 * COPLANAR];
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++)
+        for (int e = 14; e <= 100; e += 43) {
+            size_t d = (size_t)dim;
+            for (size_t i = 0; i < COPLANAR * d; i++) x[i] = i % d == d - 1 ? 0 : random_coordinate(i + 77);
+            x[COPLANAR / 3 * d + d - 1] = ldexp(1, -e);
+            building b;
+            begin_any(&b, dim, x, NULL, COPLANAR, 1);
+            check_links(&b.build);
+            check_ghosts(&b);
+            end(&b);
+        }
+}
+
+// The in-sphere determinant of five integer points relative to the last, with weights in units of 2^-20. *volume: what it changes by
+// with a unit of the last weight
+static int64_t integer_insphere(int (*p)[3], const int64_t *weight, int64_t *volume) {
+    int64_t d[4][4], pair[4][4], det = 0;
+    for (int i = 0; i < 4; i++) {
+        d[i][3] = weight[4] - weight[i];
+        for (int j = 0; j < 3; j++) d[i][j] = p[i][j] - p[4][j], d[i][3] += d[i][j] * d[i][j] * 1048576;
+    }
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++) pair[i][j] = d[i][0] * d[j][1] - d[j][0] * d[i][1];
+    *volume = 0;
+    for (int i = 0, sign = 1; i < 4; i++, sign = -sign) {
+        int a = i == 0, b = 1 + (i <= 1), c = 2 + (i <= 2);
+        int64_t minor = d[a][2] * pair[b][c] - d[b][2] * pair[a][c] + d[c][2] * pair[a][b];
+        *volume += sign * minor;
+        det += sign * minor * d[i][3];
+    }
+    return det;
+}
+
+// Five integer points of which the last has just the weight that makes its power next to nothing. A sixth is so light that powers
+// are not exact, and then one may be taken for zero that is not.
+static void powers_near_zero_are_told_from_zero(void **state) {
+    enum { SETS = 400 };
+    (void)state;
+    for (uint64_t draw = 0, found = 0; found < SETS; draw++) {
+        int p[6][3];
+        int64_t weight[6], volume, det;
+        double x[18], w[6];
+        for (int i = 0; i < 18; i++) p[i / 3][i % 3] = (int)(paradt__mix(18 * draw + (uint64_t)i) % 9);
+        for (int i = 0; i < 6; i++) weight[i] = (int64_t)(paradt__mix(draw + 1000000 * (uint64_t)i) % 1048576);
+        for (int j = 0; j < 3; j++) p[5][j] = 8 * (int)(draw >> j & 1);
+        weight[4] = 0;
+        weight[5] = -((int64_t)524287 << 20);
+        det = integer_insphere(p, weight, &volume);
+        if (volume < 200 && volume > -200) continue;
+        weight[4] = -(det / volume);
+        det = integer_insphere(p, weight, &volume);
+        if (!det || det < -5 || det > 5) continue;
+        for (int i = 0; i < 18; i++) x[i] = p[i / 3][i % 3];
+        for (int i = 0; i < 6; i++) w[i] = (double)weight[i] * 0x1p-20;
+        paradt_points points = paradt_points_f64(x, 6, 3);
+        paradt_options options = {0};
+        paradt_triangulation inserted, searched;
+        points.weights = w;
+        options.method = PARADT_BOWYER_WATSON;
+        assert_int_equal(paradt_triangulate(&inserted, &points, &options), PARADT_OK);
+        options.method = PARADT_INCODE;
+        assert_int_equal(paradt_triangulate(&searched, &points, &options), PARADT_OK);
+        assert_true(paradt_hash(&inserted) == paradt_hash(&searched));
+        paradt_free(&inserted);
+        paradt_free(&searched);
+        found++;
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_vertices_begin_again),
@@ -483,6 +579,8 @@ int main(void) {
         cmocka_unit_test(powers_by_sagittas_tell_more_in_the_plane),
         cmocka_unit_test(large_stars_in_the_plane_are_whole),
         cmocka_unit_test(near_a_plane_there_are_no_sagittas),
+        cmocka_unit_test(ghosts_leave_points_in_their_planes_to_the_predicates),
+        cmocka_unit_test(powers_near_zero_are_told_from_zero),
     };
     return cmocka_run_group_tests_name("insertion", tests, NULL, NULL);
 }

@@ -4,22 +4,7 @@ work=build/tests/link
 rm -rf "$work"
 mkdir -p "$work"
 CC=${CC:-cc}
-number=0
-
-report() { # 0: good, name, log
-    number=$((number + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $number - $2"
-    else
-        echo "not ok $number - $2"
-        sed 's/^/# /' "$3" | head -20
-    fi
-}
-skip() {
-    number=$((number + 1))
-    echo "ok $number - $1 # SKIP $2"
-}
-has() { command -v "$1" >/dev/null 2>&1; }
+. tests/programs/tap.sh
 
 # --- the clock: the call sleeps for nearly all of its time
 cat >"$work/clock.c" <<'END'
@@ -261,4 +246,4 @@ else
     report 1 make_lib "$work/log"
 fi
 
-echo "1..$number"
+plan

@@ -13,16 +13,7 @@ for program in mpicc mpicxx mpiexec; do
     exit 0
 done
 CC=${CC:-cc}
-number=0
-report() { # 0: passed, name, log
-    number=$((number + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $number - $2"
-    else
-        echo "not ok $number - $2"
-        [ -z "$3" ] || tail -n 12 "$3" | cut -c 1-300 | sed 's/^/# /'
-    fi
-}
+. tests/programs/tap.sh
 # Open MPI has to be told that there may be more ranks than processors, and that root may run them.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 on() { # ranks, command...
@@ -159,8 +150,7 @@ END
     mixed builds_agree_on_boxes_of_equal_size_again 1 2 --partition uniform "$work/steps_39.npy"
     mixed builds_agree_on_subnormal_cuts 2 2 "$work/subnormal.npy"
 else
-    number=$((number + 1))
-    echo "ok $number - reads_npy_in_parts # SKIP needs python3, as 15 more tests do"
+    skip reads_npy_in_parts "needs python3, as 15 more tests do"
 fi
 printf '0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1.5\n' >"$work/few.xyz"
 same reads_text_on_rank_0 "$work/few.xyz"
@@ -259,7 +249,7 @@ if runner=$(sh tests/programs/runner_32.sh "$CC" -m32 -msse2); then
 fi
 
 fi
-echo "1..$number"
+plan
 
 # --- the cells: the lines of another program follow, with their own plan
 

@@ -490,6 +490,7 @@ int main(int argc, char **argv) {
 
 #else
 
+#include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
 
@@ -988,6 +989,100 @@ static void the_least_determinants_are_told_from_zero(void **state) {
     assert_true(settled > 0);
 }
 
+// Three points almost on a line. Rounded upward, their determinant errs by a fourth of the bound, and has the wrong sign.
+static void filters_keep_their_bound_rounding_upward(void **state) {
+    static const double points[3][2] = {{-0x1.24f1928ad4edfp-1, 0x1.54488f0729af1p-1},
+                                        {0x1.3eb839b990a1ap-1, -0x1.28b6ffd14fa38p-1},
+                                        {-0x1.b4d51578b336fp+0, 0x1.d88768d77bd75p+0}};
+    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    (void)state;
+    start_oracle();
+    for (int mode = 0; mode < 4; mode++)
+        for (int swapped = 0; swapped < 2; swapped++) {
+            sample s = {2, 2, 0, {{0}}, {0}};
+            int sign;
+            for (int i = 0; i < 3; i++) {
+                volatile double x = points[i][0], y = points[i][1]; // not for the compiler, which rounds to nearest
+                s.memory[i][0] = x, s.memory[i][1] = y;
+                s.points[i] = s.memory[swapped && i ? 3 - i : i];
+            }
+            s.points[3] = s.memory[3];
+            fesetround(modes[mode]);
+            sign = paradt_orient(2, s.points);
+            fesetround(FE_TONEAREST);
+            expect(sign, oracle_orient(s.points, 2), "orientation", &s, "almost on a line");
+        }
+    stop_oracle();
+}
+
+// Cells on a cube's corners, whose determinants are the largest of their columns. The corners are so far apart that two digits
+// just suffice, or just do not; a small coordinate sets the unit.
+static void two_digits_suffice_for_117_bits(void **state) {
+    int seen[5] = {0};
+    batch b;
+    (void)state;
+    start_oracle();
+    for (int round = 0; round < 300; round++) {
+        int length = random_between(113, 122);
+        double high = paradt__from_bits(paradt__bits(shifted(1, length)) - 1);
+        paradt__space_begin(&b.space, 2 + round % 2, 2 + round % 2, 0);
+        for (int n = 0; n < BATCH; n++) {
+            sample *s = &b.samples[n];
+            memset(s, 0, sizeof *s);
+            s->k = s->d = 2 + round % 2;
+            for (int i = 0; i < s->k + 2; i++) {
+                s->points[i] = s->memory[i];
+                for (int j = 0; j < s->k; j++) {
+                    int base = i == 0 || i == s->k + 1, kind = random_below(8);
+                    s->memory[i][j] = base || kind < 4 ? -high : kind < 7 ? high : 1;
+                }
+                paradt__space_add(&b.space, s->memory[i]);
+            }
+        }
+        paradt__space_end(&b.space);
+        check_batch_stages(&b, "corners", seen);
+    }
+    stop_oracle();
+#ifdef __SIZEOF_INT128__
+    assert_true(seen[4] > 0);
+#endif
+}
+
+// Products of these coordinates are about as small as the least doubles. Rounding moves them by as much as they are.
+static void determinants_that_underflow_keep_their_signs(void **state) {
+    (void)state;
+    start_oracle();
+    for (int round = 0; round < 60000; round++) {
+        sample s = {2 + round % 3, 2 + round % 3, 0, {{0}}, {0}};
+        int columns = s.k + (round / 3 % 2 ? 2 : 0), e = -1074 / columns - random_between(0, 3);
+        for (int i = 0; i < s.k + 2; i++) {
+            s.points[i] = s.memory[i];
+            for (int j = 0; j < s.k; j++)
+                s.memory[i][j] = shifted(random_between(-15, 15), e);
+        }
+        expect(paradt_orient(s.k, s.points), oracle_orient(s.points, s.k), "orientation", &s, "underflow");
+        expect(paradt_insphere(s.k, s.points, NULL), oracle_insphere(s.points, s.k, s.k, 0), "in-sphere", &s, "underflow");
+    }
+    stop_oracle();
+}
+
+// Filters and lengths hold for what was measured: no point beyond it may be asked about, nor one of more digits.
+static void only_what_was_measured_is_admitted(void **state) {
+    static const double corners[2][2] = {{1, -2}, {3, 0.5}};
+    static const double inside[3][2] = {{1, 0.5}, {2, -1}, {1.5, 0}};
+    static const double outside[6][2] = {{0.5, 0}, {3.5, 0}, {2, -2.5}, {2, 1}, {1.25, 0}, {2, 0.25}};
+    paradt__space s;
+    (void)state;
+    paradt__space_begin(&s, 2, 2, 0);
+    for (int i = 0; i < 2; i++)
+        paradt__space_add(&s, corners[i]);
+    paradt__space_end(&s);
+    for (int i = 0; i < 3; i++)
+        assert_true(paradt__space_admits(&s, inside[i]));
+    for (int i = 0; i < 6; i++)
+        assert_false(paradt__space_admits(&s, outside[i]));
+}
+
 static void ordered_bits_order_like_the_doubles(void **state) {
     (void)state;
     assert_true(paradt__ordered_bits(0.0) == 0 && paradt__ordered_bits(paradt__from_bits((uint64_t)1 << 63)) == 0);
@@ -1218,6 +1313,10 @@ int main(void) {
         cmocka_unit_test(lattices_stay_in_the_filter),
         cmocka_unit_test(facts_hold_for_any_fewer_axes),
         cmocka_unit_test(the_least_determinants_are_told_from_zero),
+        cmocka_unit_test(two_digits_suffice_for_117_bits),
+        cmocka_unit_test(determinants_that_underflow_keep_their_signs),
+        cmocka_unit_test(only_what_was_measured_is_admitted),
+        cmocka_unit_test(filters_keep_their_bound_rounding_upward),
         cmocka_unit_test(powers_are_as_exact_as_they_claim),
         cmocka_unit_test(the_general_stage_keeps_its_room),
     };

@@ -4,14 +4,9 @@
 work=build/tests/predicates_flags
 rm -rf "$work"
 mkdir -p "$work"
-number=0
+. tests/programs/tap.sh
 expected=
 runner= # the command that runs programs for another processor
-
-skip() {
-    number=$((number + 1))
-    echo "ok $number - $1 # SKIP $2"
-}
 
 # same NAME MODES COMPILER FLAGS...: in each mode, the program built so prints what the first one printed.
 same() {
@@ -19,19 +14,18 @@ same() {
     modes=$2
     shift 2
     log=$work/$name.log
-    result="not ok"
+    result=1
     if "$@" -w -DPREDICATES_HASH -o "$work/$name" tests/predicates.c -lm >"$log" 2>&1; then
-        result=ok
+        result=0
         for mode in $modes; do
             hash=$($runner "$work/$name" "$mode" 2>&1)
             echo "$mode $hash" >>"$log"
             expected=${expected:-$hash}
-            [ -n "$hash" ] && [ "$hash" = "$expected" ] || result="not ok"
+            [ -n "$hash" ] && [ "$hash" = "$expected" ] || result=1
         done
     fi
-    number=$((number + 1))
-    echo "$result $number - signs_with_$name"
-    [ "$result" = ok ] || { echo "expected $expected" | cat - "$log" | sed 's/^/# /' | head -20; }
+    echo "expected $expected" >>"$log"
+    report $result "signs_with_$name" "$log"
 }
 
 rounding="nearest up down zero"
@@ -67,4 +61,4 @@ if command -v tcc >/dev/null 2>&1; then
 else
     skip signs_with_tcc "tcc is not installed"
 fi
-echo "1..$number"
+plan

@@ -2,6 +2,7 @@
 # The readers of the tools, alone: files as people have them are read right, or refused with the reason and what to do. Builds
 # tests/programs/read.c with the sanitizers, if the compiler has them, and with zlib, if it is there. Prints TAP.
 root=$PWD
+. tests/programs/tap.sh
 work=$root/build/tests/readers
 rm -rf "$work"
 mkdir -p "$work"
@@ -23,20 +24,7 @@ export ASAN_OPTIONS UBSAN_OPTIONS
 cp -r tests/inputs "$work/inputs"
 cd "$work" || exit 1
 
-number=0
-report() { # 0: passed, name
-    number=$((number + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $number - $2"
-    else
-        echo "not ok $number - $2"
-        { echo "status $status"; tail -n 8 err; tail -n 3 out; } | cut -c 1-400 | sed 's/^/# /'
-    fi
-}
-skip() { # name, reason
-    number=$((number + 1))
-    echo "ok $number - $1 # SKIP $2"
-}
+explain() { echo "status $status"; tail -n 8 err; tail -n 3 out; }
 run() { # arguments of read; sets status, and writes the files out and err
     ./read "$@" >out 2>err
     status=$?
@@ -323,4 +311,4 @@ for peer in numpy meshio vtk gemmi; do
     [ $status -eq 0 ]
     report $? "as_${peer}_has_them"
 done
-echo "1..$number"
+plan

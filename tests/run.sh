@@ -30,7 +30,11 @@ run_one() {
     esac
     status=$?
     seconds=$(($(date +%s) - start))
-    awk -v status="$status" -v name="$name" -v seconds="$seconds" -v count="$logs/$file.count" -v limit="$TEST_SECONDS" '
+    # The last line of `times`, 1m2.34s 0m5.67s, is what the program and those that it started took of the processors.
+    times >"$logs/$file.times"
+    used=$(awk 'END { gsub("s", ""); for (i = 1; i <= 2; i++) { split($i, part, "m"); sum += 60 * part[1] + part[2] } printf "%d", sum }' \
+        "$logs/$file.times")
+    awk -v status="$status" -v name="$name" -v seconds="$seconds" -v used="$used" -v count="$logs/$file.count" -v limit="$TEST_SECONDS" '
         /^1\.\.[0-9]+$/     { planned += substr($0, 4) }
         /^(not )?ok.*# SKIP/ { skipped++; notes = notes "    skipped: " $0 "\n"; before = ""; next }
         /^ok /              { passed++; before = "" }
@@ -50,8 +54,8 @@ run_one() {
             if (status == 124 || status == 137) notes = notes "    stopped after " limit " seconds\n"
             if (status != 0 && planned + reported == 0 || status > 123)
                 for (i = NR + 1; i <= NR + 8; i++) if (last[i % 8] != "") notes = notes "    | " last[i % 8] "\n"
-            printf "%-32s %4d passed, %d failed%s  (%d s)\n%s", name, passed, failed,
-                skipped ? ", " skipped " skipped" : "", seconds, notes
+            printf "%-32s %4d passed, %d failed%s  (%d s, processors %d s)\n%s", name, passed, failed,
+                skipped ? ", " skipped " skipped" : "", seconds, used, notes
             print passed + 0, failed + 0, skipped + 0 >count
         }' "$log"
 }

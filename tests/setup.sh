@@ -1,7 +1,9 @@
 #!/bin/sh
-# Usage: setup.sh FILE. Installs the packages that the tests need and this machine lacks, by apt-get, as root or by sudo. Writes
-# what is installed to FILE as make variables. Packages that can't be installed are named; their tests will be skipped.
+# Usage: setup.sh FILE [PACKAGE...]. Installs the packages that the tests need and this machine lacks, or else these, by apt-get,
+# as root or by sudo. Writes what is installed to FILE as make variables. Packages that can't be installed are named; their tests
+# will be skipped.
 file=$1
+shift
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 CC=${CC:-cc}
@@ -46,6 +48,7 @@ int main(void) { return zlibVersion() == 0; }' -lz ;;
 int main() { return 0; }' -lvoro++ ;;
     nodejs) command -v node >/dev/null 2>&1 ;;
     libgcc-12-dev-arm64-cross) test -d /usr/lib/gcc-cross/aarch64-linux-gnu ;;
+    afl++) command -v afl-fuzz >/dev/null 2>&1 && command -v afl-clang-fast >/dev/null 2>&1 ;;
     mpich) command -v mpiexec >/dev/null 2>&1 ;;
     libmpich-dev) compiles "$(command -v mpicc.mpich || echo mpicc)" c '#include <mpi.h>
 int main(void) { return MPI_SUCCESS; }' ;;
@@ -57,6 +60,7 @@ wanted="libcmocka-dev libgmp-dev g++ libcgal-dev libeigen3-dev gcc gcc-multilib 
     qemu-user binutils-aarch64-linux-gnu libc6-dev-arm64-cross libgcc-12-dev-arm64-cross
     lld wasi-libc libclang-rt-dev-wasm32 nodejs python3-vtk9 python3-meshio python3-gemmi zlib1g-dev
     voro++-dev"
+test $# -gt 0 && wanted=$*
 missing() {
     for package in $wanted; do
         has "$package" || printf '%s ' "$package"
@@ -84,7 +88,7 @@ if [ -n "$lacking" ] && command -v apt-get >/dev/null 2>&1; then
     lacking=$(missing)
 fi
 if [ -n "$lacking" ]; then
-    echo "Some tests will be skipped. To run them all:  apt-get install $lacking"
+    echo "Some of it will be skipped. For all of it:  apt-get install $lacking"
 fi
 
 {

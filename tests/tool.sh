@@ -1,6 +1,7 @@
 #!/bin/sh
 # The command-line tool: good and bad files, every format, options, exit statuses, interruptions. Builds the tool with the
 # sanitizers, if the compiler has them, unless PARADT_TOOL names another. Prints TAP.
+. tests/programs/tap.sh
 work=$PWD/build/tests/tool
 rm -rf "$work"
 mkdir -p "$work"
@@ -20,16 +21,7 @@ UBSAN_OPTIONS=exitcode=99
 export ASAN_OPTIONS UBSAN_OPTIONS
 cd "$work" || exit 1
 
-number=0
-report() { # 0: passed, name
-    number=$((number + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $number - $2"
-    else
-        echo "not ok $number - $2"
-        { echo "status $status"; tail -n 8 err; tail -n 3 out; } | cut -c 1-300 | sed 's/^/# /'
-    fi
-}
+explain() { echo "status $status"; tail -n 8 err; tail -n 3 out; }
 run() { # arguments; sets status, and writes the files out and err
     "$tool" "$@" >out 2>err
     status=$?
@@ -563,8 +555,7 @@ sees() { # name, files as tool arguments: VTK reads see.vtu and finds the cells 
     name=$1
     shift
     if [ -z "$python" ]; then
-        number=$((number + 1))
-        echo "ok $number - $name # SKIP needs python3-vtk9"
+        skip "$name" "needs python3-vtk9"
         return
     fi
     run --quiet --voronoi see.vtu --voronoi see.csv "$@"
@@ -701,4 +692,4 @@ ls late.* >left 2>/dev/null
 [ $caught -eq 0 ] && [ $status -eq 143 ] && [ ! -s left ]
 report $? an_interrupted_run_leaves_no_file
 
-echo "1..$number"
+plan
