@@ -1578,13 +1578,13 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
 //     insertion                    298   dig and star, in any dimension
-//     kept spheres                 672   conflict tests by one product, in two and three dimensions
-//     digging by spheres           301   locate and dig with kept spheres
+//     kept spheres                 639   conflict tests by one product, in two and three dimensions
+//     digging by spheres           381   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           295   dig and star with kept spheres
-//     insertion by spheres         214   locate, dig and star, all together
+//     stars in the plane           297   dig and star with kept spheres
+//     insertion by spheres         219   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
-//     the plane by AVX2            120   the same for the plane
+//     the plane by AVX2            143   the same for the plane
 //     inserting                    239   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
@@ -10132,11 +10132,23 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 //     of the terms. They are always sharp: quick ones would take as many operations. A ghost has N = (-a_y, a_x) for
 //     the edge a, which is wrong by at most u |N_j|, so that Q is not needed. det is at most 2 * 4 h_x h_y, so a power
 //     that is surely less than quantum / (16 h_x h_y) in size is 0.
+// (11) Near. Near a circle cells are so thin that a bound for all points of the box leaves most powers by sagittas
+// open,
+//     while who asks is as a rule near p. So in the plane a power by sagittas is computed and bounded from there:
+//         power(x) = (g(x) - g(p)) - w . D,   D = s_x - s_p as computed, which is wrong by at most 2.1u h_j + 1.1u
+//         |D_j|.
+//     Let K = (P W + sum N_j h_j) / det. g counts twice with its error and, as computed, has 8.3u G, which 64u (G +
+//     E / 16u) covers; the differences count with 2.2u W; the error of w_j by (3), N_j with E / 4u as in (7), counts
+//     with 1.1 |D_j| and 2.2u h_j, and the roundings of terms and sums with 5.2u |w_j D_j|. As det < 1.1 P, that is at
+//     most 20.5u (P |w_j| + N_j) |D_j| / det for each j and 40u^2 K in all. So the power is wrong by less than
+//         error + slope (|D_x| + |D_y|),   error = 64u (G + E / 16u + W / 16 + u K),
+//         slope = 32u (P (|w_x| + |w_y|) + N_x + N_y) / det.
+//     A ghost has slope 0 and its error by (10), where D takes the place of x - p.
 //
 // Doors: paradt__kept_begin, paradt__kept_free, paradt__kept_forget, paradt__kept_drop, paradt__kept_more_numbers,
-// paradt__kept_sphere, paradt__kept_settle, paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make,
-// paradt__sphere_of_facet, paradt__sphere_power, paradt__centred_of, paradt__base_of, paradt__spoke_of,
-// paradt__spoke_at, paradt__circle_make, paradt__sphere_of_edge, paradt__kept_power, paradt__kept_across.
+// paradt__kept_sphere, paradt__kept_evict, paradt__kept_adapt, paradt__sphere_make, paradt__sphere_of_facet,
+// paradt__sphere_power, paradt__centred_of, paradt__base_of, paradt__spoke_of, paradt__spoke_at, paradt__circle_make,
+// paradt__sphere_of_edge, paradt__kept_power, paradt__kept_error, paradt__kept_is_near, paradt__kept_across.
 
 // Slots of the table: eight a point up to MANY_SPHERES; for more points one for 5 of them (for 8 where the mesh is a
 // slice of the result) up to MOST_SPHERES. In the plane four a point up to MANY_SPHERES. There is memory for
@@ -10174,9 +10186,9 @@ enum {
 // A slot of the table
 typedef struct paradt__sphere {
     double normal[3], constant;
-    double error;                                     // bound on the error of a power
-    paradt__tag tag;                                  // place of the cell, and PARADT__IN_CAVITY
-    paradt__tag unused[24 / sizeof(paradt__tag) - 1]; // makes it a cache line, 64 bytes
+    double error;    // bound on the error of a power
+    paradt__tag tag; // place of the cell, and PARADT__IN_CAVITY
+    double base[2];  // in the plane with sagittas s_p; normal[2] is the slope then. All of it is a cache line, 64 bytes
 } paradt__sphere;
 
 // A point relative to the centre of the box, and its lift: |s|^2, or with sagittas or weights g
@@ -10380,11 +10392,10 @@ PARADT__INLINE void paradt__sphere_make(paradt__making making, const paradt__fra
              (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
-// Makes the circle through p, p + a and p + b, a cell of the plane that is positively oriented, by (10), as
+// Makes the circle through p, p + a and p + b, a cell of the plane that is positively oriented, by (10) or (11), as
 // paradt__sphere_make does.
 PARADT__INLINE void paradt__circle_make(paradt__making making, const paradt__frame *f, const paradt__centred *p,
                                         const double *a, const double *b, paradt__sphere *circle) {
-    const int graded = making == PARADT__MAKE_GRADED;
     double ax = a[0], ay = a[1], la = a[3], bx = b[0], by = b[1], lb = b[3], det = ax * by - ay * bx;
     double sla = paradt__lift_size(making, a, f->slack), slb = paradt__lift_size(making, b, f->slack);
     double size = paradt__minor_size(ax, ay, bx, by);
@@ -10394,12 +10405,24 @@ PARADT__INLINE void paradt__circle_make(paradt__making making, const paradt__fra
     double inverse = 1.0 / (det > floor ? det : floor);
     double wx = (la * by - lb * ay) * inverse, wy = (lb * ax - la * bx) * inverse;
     double reach = paradt__abs(wx) * f->half[0] + paradt__abs(wy) * f->half[1];
-    circle->normal[0] = graded ? -wx : -2.0 * p->s[0] - wx;
-    circle->normal[1] = graded ? -wy : -2.0 * p->s[1] - wy;
-    circle->normal[2] = 0.0;
-    circle->constant = (graded ? -p->lift : p->lift) + (wx * p->s[0] + wy * p->s[1]);
-    circle->error = 64.0 * PARADT__UNIT_ERROR * (f->square + (size * reach + sides) * inverse) +
-                    (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
+    double doubt = (size * reach + sides) * inverse; // K
+    if (making == PARADT__MAKE_GRADED) {             // by (11)
+        double nearby = size * (paradt__abs(wx) + paradt__abs(wy)) + sla * (paradt__abs(bx) + paradt__abs(by)) +
+                        slb * (paradt__abs(ax) + paradt__abs(ay));
+        doubt = PARADT__UNIT_ERROR * doubt + 0.0625 * reach;
+        circle->normal[0] = -wx;
+        circle->normal[1] = -wy;
+        circle->normal[2] = 32.0 * PARADT__UNIT_ERROR * nearby * inverse;
+        circle->constant = -p->lift;
+        circle->base[0] = p->s[0];
+        circle->base[1] = p->s[1];
+    } else {
+        circle->normal[0] = -2.0 * p->s[0] - wx;
+        circle->normal[1] = -2.0 * p->s[1] - wy;
+        circle->normal[2] = 0.0;
+        circle->constant = p->lift + (wx * p->s[0] + wy * p->s[1]);
+    }
+    circle->error = 64.0 * PARADT__UNIT_ERROR * (f->square + doubt) + (det > floor ? 0.0 : PARADT__NO_ERROR_BOUND);
 }
 
 // Row i: the order of a cell's vertices but for vertex i. With what replaces vertex i last, it keeps the orientation.
@@ -10437,13 +10460,15 @@ PARADT__INLINE void paradt__sphere_of_facet(const paradt__kept *s, paradt__spher
 PARADT__INLINE void paradt__sphere_of_edge(const paradt__kept *s, paradt__sphere *sphere,
                                            const paradt__centred *centred, const double *from, const double *to) {
     double nx = from[1] - to[1], ny = to[0] - from[0], size = paradt__largest_of_three(nx, ny, 0.0), t;
+    sphere->base[0] = centred->s[0];
+    sphere->base[1] = centred->s[1];
     sphere->normal[0] = sphere->normal[1] = sphere->normal[2] = sphere->constant = 0.0;
     sphere->error = PARADT__NO_ERROR_BOUND;
     if (!(s->steepness < PARADT__FLATTEST * size)) return;
     t = s->steepness / size;
     sphere->normal[0] = -t * nx;
     sphere->normal[1] = -t * ny;
-    sphere->constant = t * (nx * centred->s[0] + ny * centred->s[1]);
+    if (s->making != PARADT__MAKE_GRADED) sphere->constant = t * (nx * centred->s[0] + ny * centred->s[1]);
     sphere->error = 2.0 * s->box_square + PARADT__UNIT_ERROR * t * 32.0 *
                                               (paradt__abs(nx) * s->frame.half[0] + paradt__abs(ny) * s->frame.half[1]);
 }
@@ -10525,89 +10550,31 @@ PARADT__INLINE double paradt__sphere_power(const paradt__sphere *sphere, const p
            (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1] + sphere->normal[2] * x->s[2]);
 }
 
-// The same where the number of corners is a constant
-PARADT__INLINE double paradt__kept_power(const paradt__sphere *sphere, const paradt__centred *x, int corners) {
+// Are powers computed by (11)?
+PARADT__INLINE int paradt__kept_is_near(const paradt__kept *s, int corners) {
+    return corners == 3 && s->making == PARADT__MAKE_GRADED;
+}
+
+// The same where the number of corners is a constant. nearby: by (11)?
+PARADT__INLINE double paradt__kept_power(const paradt__sphere *sphere, const paradt__centred *x, int corners,
+                                         int nearby) {
     if (corners == 4) return paradt__sphere_power(sphere, x);
+    if (nearby)
+        return (x->lift + sphere->constant) +
+               (sphere->normal[0] * (x->s[0] - sphere->base[0]) + sphere->normal[1] * (x->s[1] - sphere->base[1]));
     return (x->lift + sphere->constant) + (sphere->normal[0] * x->s[0] + sphere->normal[1] * x->s[1]);
+}
+
+// Returns the bound on the error of this power.
+PARADT__INLINE double paradt__kept_error(const paradt__sphere *sphere, const paradt__centred *x, int nearby) {
+    if (!nearby) return sphere->error;
+    return sphere->error +
+           sphere->normal[2] * (paradt__abs(x->s[0] - sphere->base[0]) + paradt__abs(x->s[1] - sphere->base[1]));
 }
 
 // Returns the cell that a handle's facet belongs to. corners: a constant
 PARADT__INLINE paradt__tag paradt__kept_across(paradt_index handle, int corners) {
     return corners == 4 ? (paradt__tag)handle >> 2 : (paradt__tag)handle / 3;
-}
-
-// Fills p with the vertices of a cell, and x.
-PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_index cell, const double *x,
-                                         const double **p, int corners) {
-    const paradt_index *vertices = build->scene.mesh.vertices + (size_t)corners * (size_t)cell;
-    int i;
-    for (i = 0; i < corners; i++) p[i] = paradt__scene_record(&build->scene, vertices[i]);
-    p[corners] = x;
-}
-
-// Is the cell, which is no ghost, in conflict with a point that is on its sphere?
-PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index cell, const double *x, int corners) {
-    const double *p[PARADT_MAX_DIM + 2];
-    paradt__kept_corners(build, cell, x, p, corners);
-    build->scene.space.counters.insphere_calls++;
-    build->scene.space.counters.exact_small++;
-    return (unsigned)paradt__perturbed(&build->scene.space, p);
-}
-
-// Is the cell or ghost in conflict with the point? Asks the predicates. corners: a constant
-PARADT__INLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x, int corners) {
-    paradt__space *space = &build->scene.space;
-    const double *p[PARADT_MAX_DIM + 2];
-    int sign;
-    if (!paradt__is_finite_cell(build->scene.mesh.vertices + (size_t)corners * (size_t)cell, corners))
-        return (unsigned)paradt__conflicts(&build->scene, cell, x);
-    paradt__kept_corners(build, cell, x, p, corners);
-    space->counters.insphere_calls++;
-    if (corners == 3) sign = paradt__filter_insphere2(space, p, 2, space->weighted);
-    else if (space->weighted) sign = paradt__filter_insphere3(space, p, 3, 1);
-    else sign = paradt__filter_insphere3(space, p, 3, 0);
-    if (sign == PARADT__UNDECIDED)
-        sign = corners == 3 ? paradt__exact_insphere(space, p) : paradt__exact_insphere3(space, p);
-    else build->kept->doubtful_count++;
-    return (unsigned)(sign ? sign > 0 : paradt__perturbed(space, p));
-}
-
-PARADT__NOINLINE unsigned paradt__kept_decide_space(paradt__insertion *build, paradt_index cell, const double *x) {
-    return paradt__kept_decide(build, cell, x, 4);
-}
-
-PARADT__NOINLINE unsigned paradt__kept_decide_plane(paradt__insertion *build, paradt_index cell, const double *x) {
-    return paradt__kept_decide(build, cell, x, 3);
-}
-
-PARADT__INLINE unsigned paradt__kept_settle_any(paradt__insertion *build, paradt_index cell,
-                                                const paradt__centred *centred, const double *x, int corners) {
-    const paradt__kept *s = build->kept;
-    const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-    double power;
-    if (sphere->tag & PARADT__IN_CAVITY) return 1;
-    power = paradt__kept_power(sphere, centred, corners);
-    PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, x, power);
-    if (paradt__abs(power) > sphere->error) return power < 0.0;
-    if (paradt__abs(power) + sphere->error < s->zero_below) return paradt__kept_tie(build, cell, x, corners);
-    return corners == 4 ? paradt__kept_decide_space(build, cell, x) : paradt__kept_decide_plane(build, cell, x);
-}
-
-PARADT__NOINLINE unsigned paradt__kept_settle_space(paradt__insertion *build, paradt_index cell,
-                                                    const paradt__centred *centred, const double *x) {
-    return paradt__kept_settle_any(build, cell, centred, x, 4);
-}
-
-PARADT__NOINLINE unsigned paradt__kept_settle_plane(paradt__insertion *build, paradt_index cell,
-                                                    const paradt__centred *centred, const double *x) {
-    return paradt__kept_settle_any(build, cell, centred, x, 3);
-}
-
-// Is the cell or ghost in conflict with the point? Its sphere need not be in the table, nor its power tell.
-PARADT__INLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell, const paradt__centred *centred,
-                                            const double *x, int corners) {
-    return corners == 4 ? paradt__kept_settle_space(build, cell, centred, x)
-                        : paradt__kept_settle_plane(build, cell, centred, x);
 }
 
 // Adapts to long cells, and to points with hundreds of cells. Changes over to sharp bounds if quick ones leave many
@@ -10730,7 +10697,7 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
     s->next_number = PARADT__NUMBER_STEP;
     for (i = 0; i < size; i++) s->table[i].tag = PARADT__NO_SPHERE;
     paradt__kept_measure(build);
-    PARADT_ASSERT((size & (size - 1)) == 0 && sizeof(paradt__sphere) == 64);
+    PARADT_ASSERT((size & (size - 1)) == 0 && sizeof(paradt__sphere) <= 64);
     if (build->count > (size_t)s->corners)
         s->next = paradt__centred_of(
             s, paradt__scene_record(&build->scene, paradt__insertion_point(build, (size_t)s->corners)));
@@ -10749,9 +10716,86 @@ static paradt_status paradt__kept_begin(paradt__insertion *build) {
 // While a cavity is dug, a cell is in it if its sphere's tag has PARADT__IN_CAVITY; or the mark PARADT__CONFLICT, if
 // the sphere has been driven out of the table. When all of the cavity is dug in space, its vertices have numbers.
 //
+// Where a power does not tell its sign, the conflict is settled by the predicates.
 // A weighted point is hidden if the cell that it is in is not in conflict with it.
-// Doors: paradt__kept_locate, paradt__kept_dig, paradt__kept_number, paradt__kept_judge, paradt__kept_wait,
-// paradt__kept_look, paradt__kept_remake_plain, paradt__kept_spread_plain.
+// Doors: paradt__kept_locate, paradt__kept_dig, paradt__kept_number, paradt__kept_look, paradt__kept_remake_plain,
+// paradt__kept_spread_plain, paradt__kept_settle_plane.
+
+// Fills p with the vertices of a cell, and x.
+PARADT__INLINE void paradt__kept_corners(const paradt__insertion *build, paradt_index cell, const double *x,
+                                         const double **p, int corners) {
+    const paradt_index *vertices = build->scene.mesh.vertices + (size_t)corners * (size_t)cell;
+    int i;
+    for (i = 0; i < corners; i++) p[i] = paradt__scene_record(&build->scene, vertices[i]);
+    p[corners] = x;
+}
+
+// Is the cell, which is no ghost, in conflict with a point that is on its sphere?
+PARADT__INLINE unsigned paradt__kept_tie(paradt__insertion *build, paradt_index cell, const double *x, int corners) {
+    const double *p[PARADT_MAX_DIM + 2];
+    paradt__kept_corners(build, cell, x, p, corners);
+    build->scene.space.counters.insphere_calls++;
+    build->scene.space.counters.exact_small++;
+    return (unsigned)paradt__perturbed(&build->scene.space, p);
+}
+
+// Is the cell or ghost in conflict with the point? Asks the predicates. corners: a constant
+PARADT__INLINE unsigned paradt__kept_decide(paradt__insertion *build, paradt_index cell, const double *x, int corners) {
+    paradt__space *space = &build->scene.space;
+    const double *p[PARADT_MAX_DIM + 2];
+    int sign;
+    if (!paradt__is_finite_cell(build->scene.mesh.vertices + (size_t)corners * (size_t)cell, corners))
+        return (unsigned)paradt__conflicts(&build->scene, cell, x);
+    paradt__kept_corners(build, cell, x, p, corners);
+    space->counters.insphere_calls++;
+    if (corners == 3) sign = paradt__filter_insphere2(space, p, 2, space->weighted);
+    else if (space->weighted) sign = paradt__filter_insphere3(space, p, 3, 1);
+    else sign = paradt__filter_insphere3(space, p, 3, 0);
+    if (sign == PARADT__UNDECIDED)
+        sign = corners == 3 ? paradt__exact_insphere(space, p) : paradt__exact_insphere3(space, p);
+    else build->kept->doubtful_count++;
+    return (unsigned)(sign ? sign > 0 : paradt__perturbed(space, p));
+}
+
+PARADT__NOINLINE unsigned paradt__kept_decide_space(paradt__insertion *build, paradt_index cell, const double *x) {
+    return paradt__kept_decide(build, cell, x, 4);
+}
+
+PARADT__NOINLINE unsigned paradt__kept_decide_plane(paradt__insertion *build, paradt_index cell, const double *x) {
+    return paradt__kept_decide(build, cell, x, 3);
+}
+
+PARADT__INLINE unsigned paradt__kept_settle_any(paradt__insertion *build, paradt_index cell,
+                                                const paradt__centred *centred, const double *x, int corners) {
+    const paradt__kept *s = build->kept;
+    const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
+    const int nearby = paradt__kept_is_near(s, corners);
+    double power, error;
+    if (sphere->tag & PARADT__IN_CAVITY) return 1;
+    power = paradt__kept_power(sphere, centred, corners, nearby);
+    PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, x, power);
+    error = paradt__kept_error(sphere, centred, nearby);
+    if (paradt__abs(power) > error) return power < 0.0;
+    if (paradt__abs(power) + error < s->zero_below) return paradt__kept_tie(build, cell, x, corners);
+    return corners == 4 ? paradt__kept_decide_space(build, cell, x) : paradt__kept_decide_plane(build, cell, x);
+}
+
+PARADT__NOINLINE unsigned paradt__kept_settle_space(paradt__insertion *build, paradt_index cell,
+                                                    const paradt__centred *centred, const double *x) {
+    return paradt__kept_settle_any(build, cell, centred, x, 4);
+}
+
+PARADT__NOINLINE unsigned paradt__kept_settle_plane(paradt__insertion *build, paradt_index cell,
+                                                    const paradt__centred *centred, const double *x) {
+    return paradt__kept_settle_any(build, cell, centred, x, 3);
+}
+
+// Is the cell or ghost in conflict with the point? Its sphere need not be in the table, nor its power tell.
+PARADT__INLINE unsigned paradt__kept_settle(paradt__insertion *build, paradt_index cell, const paradt__centred *centred,
+                                            const double *x, int corners) {
+    return corners == 4 ? paradt__kept_settle_space(build, cell, centred, x)
+                        : paradt__kept_settle_plane(build, cell, centred, x);
+}
 
 // Is the point for certain inside the cell? Where a facet's other cell has the greater power it is on this cell's side.
 static int paradt__kept_is_inside(paradt__insertion *build, paradt_index cell, const paradt__centred *centred) {
@@ -10783,10 +10827,11 @@ PARADT__NOINLINE paradt_index paradt__kept_locate_exactly(paradt__insertion *bui
 // by orientations takes over. Powers are rounded before they are compared: otherwise, of two neighbours with equal
 // powers each could be less than the other where one power is in a longer register, and the walk would not end.
 PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const paradt__centred *centred,
-                                                const double *x, int corners) {
+                                                const double *x, int corners, int nearby) {
     paradt_index cell = build->kept->start;
     const paradt__sphere *sphere = paradt__kept_sphere(build, cell);
-    double power = paradt__rounded(paradt__kept_power(sphere, centred, corners)), error = sphere->error;
+    double power = paradt__rounded(paradt__kept_power(sphere, centred, corners, nearby));
+    double error = paradt__kept_error(sphere, centred, nearby);
     PARADT_CLAIM(power, build, sphere, (paradt__tag)cell, x, power);
     while (power >= -error) {
         const paradt_index *links = build->scene.mesh.links + (size_t)corners * (size_t)cell;
@@ -10797,10 +10842,10 @@ PARADT__INLINE paradt_index paradt__kept_locate(paradt__insertion *build, const 
             paradt_index other = (paradt_index)paradt__kept_across(links[i], corners);
             double value;
             sphere = paradt__kept_sphere(build, other);
-            value = paradt__rounded(paradt__kept_power(sphere, centred, corners));
+            value = paradt__rounded(paradt__kept_power(sphere, centred, corners, nearby));
             PARADT_CLAIM(power, build, sphere, (paradt__tag)other, x, value);
             best = value < least ? other : best;
-            error = value < least ? sphere->error : error;
+            error = value < least ? paradt__kept_error(sphere, centred, nearby) : error;
             least = value < least ? value : least;
         }
         if (best == cell) return paradt__kept_locate_exactly(build, cell, centred, x);
@@ -10895,11 +10940,13 @@ PARADT__INLINE void paradt__kept_look(paradt__insertion *build, paradt__dig *dig
     paradt_index handle = dig->links[inner];
     paradt__tag other = paradt__kept_across(handle, corners);
     paradt__sphere *sphere = dig->table + (other & dig->mask);
-    double power = paradt__kept_power(sphere, centred, corners);
+    const int nearby = paradt__kept_is_near(build->kept, corners);
+    double power = paradt__kept_power(sphere, centred, corners, nearby);
     unsigned conflict = power < 0.0;
     PARADT_CLAIM(power, build, sphere, other, x, power);
     PARADT__PREFETCH(dig->links + (size_t)corners * (size_t)other);
-    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) & (paradt__abs(power) > sphere->error))) {
+    if (!PARADT__LIKELY(((sphere->tag & ~PARADT__IN_CAVITY) == other) &
+                        (paradt__abs(power) > paradt__kept_error(sphere, centred, nearby)))) {
         if ((sphere->tag & ~PARADT__IN_CAVITY) != other && dig->waiting_count < PARADT__MOST_WAITING) {
             dig->waiting_count = paradt__kept_wait(build, inner, (paradt_index)other, dig->waiting_count);
             return;
@@ -11363,11 +11410,11 @@ typedef struct paradt__postponed {
 
 // Is the cell or ghost in conflict with the point?
 PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt__tag cell,
-                                                const paradt__centred *centred, const double *x) {
+                                                const paradt__centred *centred, const double *x, int nearby) {
     const paradt__sphere *sphere = build->kept->table + (cell & build->kept->mask);
-    double power = paradt__kept_power(sphere, centred, 3);
+    double power = paradt__kept_power(sphere, centred, 3, nearby), error = paradt__kept_error(sphere, centred, nearby);
     PARADT_CLAIM(power, build, sphere, cell, x, power);
-    if (PARADT__LIKELY((sphere->tag == cell) & (paradt__abs(power) > sphere->error))) return power < 0.0;
+    if (PARADT__LIKELY((sphere->tag == cell) & (paradt__abs(power) > error))) return power < 0.0;
     return paradt__kept_settle_plane(build, (paradt_index)cell, centred, x);
 }
 
@@ -11375,7 +11422,7 @@ PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt
 // of a cavity, so that its cells hang together as a tree, and no cell is come to twice: none needs a mark. Fills
 // update.killed, the rim and the polygon. Returns 0 if the cavity is not small; then nothing has changed.
 PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index first, const paradt__centred *point,
-                                     const double *x, paradt__polygon *polygon) {
+                                     const double *x, paradt__polygon *polygon, int nearby) {
     const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
     paradt_index *killed = build->update.killed, *rim = build->rim, entry = 3 * first;
     paradt__tag cell = (paradt__tag)first;
@@ -11386,15 +11433,15 @@ PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index firs
     later[0].inner = entry; // the facet by which no other cell leads to the first one
     later[0].mirror = links[entry];
     later[0].corner = vertices[entry + 1];
-    later[0].conflict = paradt__plane_conflicts(build, paradt__kept_across(later[0].mirror, 3), &centred, x);
+    later[0].conflict = paradt__plane_conflicts(build, paradt__kept_across(later[0].mirror, 3), &centred, x, nearby);
     while (cells < PARADT__SMALL_CAVITY) {
         const size_t place = (size_t)entry - 3 * (size_t)cell;
         const paradt_index after = entry + (paradt_index)paradt__plane_after[place],
                            before = entry + (paradt_index)paradt__plane_before[place];
         const paradt_index mirror = links[after], other = links[before];
         const paradt__tag across = paradt__kept_across(mirror, 3), beside = paradt__kept_across(other, 3);
-        const unsigned conflict = paradt__plane_conflicts(build, across, &centred, x);
-        const unsigned postponed = paradt__plane_conflicts(build, beside, &centred, x);
+        const unsigned conflict = paradt__plane_conflicts(build, across, &centred, x, nearby);
+        const unsigned postponed = paradt__plane_conflicts(build, beside, &centred, x, nearby);
         killed[cells++] = 3 * (paradt_index)cell;
         if (conflict) {
             later[waiting].inner = before;
@@ -11555,6 +11602,7 @@ PARADT__NOINLINE void paradt__polygon_ghosts(paradt__insertion *build, paradt__n
     const paradt_index *made = build->update.made;
     size_t count = build->rim_count, from = 0, to, i;
     paradt__tag a, b;
+    int nearby;
     while (polygon->corner[from] >= 0) from++;
     to = from ? from - 1 : count - 1;
     a = paradt__kept_across(made[from], 3);
@@ -11565,7 +11613,8 @@ PARADT__NOINLINE void paradt__polygon_ghosts(paradt__insertion *build, paradt__n
                            paradt__scene_record(&build->scene, polygon->corner[to]));
     s->table[a & s->mask].tag = a;
     s->table[b & s->mask].tag = b;
-    s->start = (paradt_index)(paradt__sphere_power(s->table + (a & s->mask), &s->next) < 0.0 ? a : b);
+    nearby = paradt__kept_is_near(s, 3);
+    s->start = (paradt_index)(paradt__kept_power(s->table + (a & s->mask), &s->next, 3, nearby) < 0.0 ? a : b);
     star->count = (int)(count - 2);
     for (i = 0; i < count; i += PARADT__PLANE_TOGETHER)
         memcpy(s->finite_base + i, made + i, PARADT__PLANE_TOGETHER * sizeof *made);
@@ -11612,7 +11661,8 @@ static void paradt__plane_make_plain(const paradt__insertion *build, paradt__new
 // The insertion once more for two and three dimensions, with kept spheres: locate, dig, star, where the new cells take
 // the places of the cavity's cells. Between two insertions no tag has PARADT__IN_CAVITY, kept->evicted is 0, and
 // kept->next is the point to come.
-// Doors: paradt__kept_insert, paradt__plane_insert, paradt__kept_insert_any, paradt__kept_look_ahead.
+// Doors: paradt__kept_insert, paradt__plane_insert, paradt__kept_insert_any, paradt__plane_insert_any,
+// paradt__kept_look_ahead.
 
 // Takes places for the new cells: those of the cavity's cells, then more. Fills update.made with their first handles.
 // Slots of places that have not been used lately are prefetched for the cells to come.
@@ -11764,7 +11814,7 @@ PARADT__INLINE paradt_status paradt__kept_insert_any(paradt__insertion *build, p
                                                      const paradt__kept_kernels *kernels) {
     paradt__centred centred = build->kept->next;
     paradt_index first =
-        paradt__kept_locate(build, &centred, paradt__scene_record(&build->scene, point), kernels->corners);
+        paradt__kept_locate(build, &centred, paradt__scene_record(&build->scene, point), kernels->corners, 0);
     if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
     return paradt__kept_insert_at(build, point, first, &centred, kernels);
 }
@@ -11784,12 +11834,16 @@ PARADT__INLINE paradt_status paradt__plane_insert_any(paradt__insertion *build, 
                                                       const paradt__kept_kernels *kernels) {
     const double *x = paradt__scene_record(&build->scene, point);
     paradt__centred centred = build->kept->next;
-    paradt_index first = paradt__kept_locate(build, &centred, x, 3);
+    const int nearby = paradt__kept_is_near(build->kept, 3);
+    paradt_index first =
+        nearby ? paradt__kept_locate(build, &centred, x, 3, 1) : paradt__kept_locate(build, &centred, x, 3, 0);
     paradt__polygon polygon;
     paradt_status status;
+    int is_small = 0;
     if (!PARADT__LIKELY(first != PARADT__NOWHERE)) return paradt__kept_hide(build);
-    if (build->scene.space.weighted || !paradt__plane_dig(build, first, &centred, x, &polygon))
-        return paradt__plane_insert_large(build, point, first, &centred, kernels);
+    if (nearby) is_small = paradt__plane_dig(build, first, &centred, x, &polygon, 1);
+    else if (!build->scene.space.weighted) is_small = paradt__plane_dig(build, first, &centred, x, &polygon, 0);
+    if (!is_small) return paradt__plane_insert_large(build, point, first, &centred, kernels);
     status = build->witness ? build->witness->dug(build->witness, build) : PARADT_OK;
     if (status) return status;
     paradt__kept_look_ahead(build);
@@ -12339,7 +12393,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_circles(paradt__making making, con
                                                       const __m256d *a, const __m256d *b, __m256d *circle,
                                                       __m256d *error) {
     const __m256d half[2] = {_mm256_set1_pd(f->half[0]), _mm256_set1_pd(f->half[1])};
-    __m256d sa[2], sb[2], w[2], size, sides, floor, det, inverse, doubt, la = a[3], lb = b[3], square;
+    __m256d sa[2], sb[2], w[2], size, sides, floor, det, inverse, reach, doubt, la = a[3], lb = b[3], square;
     int i;
     if (making == PARADT__MAKE_GRADED) {
         la = _mm256_add_pd(paradt__abs_avx2(la), _mm256_set1_pd(f->slack));
@@ -12367,12 +12421,23 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_circles(paradt__making making, con
     w[1] = _mm256_mul_pd(_mm256_fmsub_pd(b[3], a[0], _mm256_mul_pd(a[3], b[0])), inverse);
     doubt = _mm256_mul_pd(paradt__abs_avx2(w[0]), half[0]);
     doubt = _mm256_fmadd_pd(paradt__abs_avx2(w[1]), half[1], doubt);
-    doubt = _mm256_fmadd_pd(size, doubt, sides);
-    doubt = _mm256_fmadd_pd(doubt, inverse, _mm256_set1_pd(f->square));
-    for (i = 0; i < 2; i++)
-        circle[i] = _mm256_fmsub_pd(_mm256_set1_pd(making == PARADT__MAKE_GRADED ? -0.0 : -2.0), p[i], w[i]);
-    circle[2] = _mm256_setzero_pd();
-    circle[3] = _mm256_fmadd_pd(w[0], p[0], _mm256_fmadd_pd(w[1], p[1], p[3]));
+    reach = doubt;
+    doubt = _mm256_mul_pd(_mm256_fmadd_pd(size, doubt, sides), inverse);
+    if (making == PARADT__MAKE_GRADED) {
+        __m256d nearby = _mm256_mul_pd(size, _mm256_add_pd(paradt__abs_avx2(w[0]), paradt__abs_avx2(w[1])));
+        nearby = _mm256_fmadd_pd(la, _mm256_add_pd(sb[0], sb[1]), nearby);
+        nearby = _mm256_fmadd_pd(lb, _mm256_add_pd(sa[0], sa[1]), nearby);
+        doubt = _mm256_mul_pd(doubt, _mm256_set1_pd(PARADT__UNIT_ERROR));
+        doubt = _mm256_fmadd_pd(reach, _mm256_set1_pd(0.0625), doubt);
+        for (i = 0; i < 2; i++) circle[i] = _mm256_sub_pd(_mm256_setzero_pd(), w[i]);
+        circle[2] = _mm256_mul_pd(_mm256_mul_pd(nearby, _mm256_set1_pd(32.0 * PARADT__UNIT_ERROR)), inverse);
+        circle[3] = p[3];
+    } else {
+        for (i = 0; i < 2; i++) circle[i] = _mm256_fmsub_pd(_mm256_set1_pd(-2.0), p[i], w[i]);
+        circle[2] = _mm256_setzero_pd();
+        circle[3] = _mm256_fmadd_pd(w[0], p[0], _mm256_fmadd_pd(w[1], p[1], p[3]));
+    }
+    doubt = _mm256_add_pd(doubt, _mm256_set1_pd(f->square));
     *error = _mm256_blendv_pd(_mm256_set1_pd(PARADT__NO_ERROR_BOUND),
                               _mm256_mul_pd(doubt, _mm256_set1_pd(64.0 * PARADT__UNIT_ERROR)),
                               _mm256_cmp_pd(det, floor, _CMP_GT_OQ));
@@ -12393,6 +12458,17 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_plane_edges(paradt__making making,
     if (making == PARADT__MAKE_SHARP) return;
     grade = _mm256_sub_pd(_mm256_setr_pd(a[2], b[2], c[2], d[2]), point[2]);
     to[3] = _mm256_sub_pd(making == PARADT__MAKE_GRADED ? _mm256_setzero_pd() : to[3], grade);
+}
+
+// Stores the base of four circles.
+PARADT__AVX2 PARADT__INLINE void paradt__four_bases(paradt__sphere *table, paradt__tag mask, __m128i cells,
+                                                    const paradt__centred *base) {
+    const __m128d both = _mm_loadu_pd(base->s);
+    __m128i slots = _mm_and_si128(cells, _mm_set1_epi32((int)mask));
+    _mm_storeu_pd(table[(uint32_t)_mm_cvtsi128_si32(slots)].base, both);
+    _mm_storeu_pd(table[(uint32_t)_mm_extract_epi32(slots, 1)].base, both);
+    _mm_storeu_pd(table[(uint32_t)_mm_extract_epi32(slots, 2)].base, both);
+    _mm_storeu_pd(table[(uint32_t)_mm_extract_epi32(slots, 3)].base, both);
 }
 
 // The kernel `make` in the plane
@@ -12425,6 +12501,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__plane_make_four(paradt__making making, 
         towards |= i < 64 ? (uint64_t)(unsigned)(right & ~left) << i : 0;
         paradt__four_circles(making, &frame, p, a, b, circle, &error);
         paradt__four_store(s->table, s->mask, cells, circle, error);
+        if (making == PARADT__MAKE_GRADED) paradt__four_bases(s->table, s->mask, cells, centred);
     }
     if (towards) s->start = (paradt_index)paradt__kept_across(star->base[paradt__trailing_zeros(towards)], 3);
 }

@@ -266,7 +266,7 @@ static void ask_kept(const hill *h, const double *const *p, int ghost) {
         claim_steepness = kept.steepness / facet_size(p, row, h->k);
         claim_lift = ghost == 2 ? x.lift : 0;
     }
-    claim_power(&build, table, 0, p[h->rows - 1], paradt__kept_power(table, &x, h->k + 1));
+    claim_power(&build, table, 0, p[h->rows - 1], paradt__kept_power(table, &x, h->k + 1, paradt__kept_is_near(&kept, h->k + 1)));
     claim_steepness = 0;
 }
 
@@ -311,7 +311,7 @@ PARADT__AVX2 static void ask_four(const hill *h, const double *const *p) {
     sphere.constant = out[3][0];
     sphere.error = errors[0];
     x = paradt__centred_of(&kept, p[h->rows - 1]);
-    claim_power(&build, &sphere, 0, p[h->rows - 1], paradt__kept_power(&sphere, &x, h->k + 1));
+    claim_power(&build, &sphere, 0, p[h->rows - 1], paradt__kept_power(&sphere, &x, h->k + 1, paradt__kept_is_near(&kept, h->k + 1)));
 }
 #endif
 

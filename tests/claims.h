@@ -182,24 +182,26 @@ static void claim_true_power(dyadic *numerator, dyadic *denominator, const doubl
 static void claim_power_of(const paradt__kept *kept, int weighted, const paradt__sphere *sphere, const double *const *p,
                            int ghost, const double *x, double value) {
     const int k = kept->corners - 1;
+    const paradt__centred seen = paradt__centred_of(kept, x);
+    const double bound = paradt__kept_error(sphere, &seen, paradt__kept_is_near(kept, kept->corners));
     dyadic *a = claim_number(3), *b = claim_number(4), *error = claim_number(5), *t = claim_number(6);
     if (ghost < 0) {
         claim_true_power(a, b, p, x, k, k, weighted);
         dy_set(error, value);
         dy_mul(error, error, b);
         dy_add(error, error, a, -1);
-        claim_ratio((k == 3 ? SPHERE_POWER : CIRCLE_POWER) + (int)kept->making, error, sphere->error, b);
+        claim_ratio((k == 3 ? SPHERE_POWER : CIRCLE_POWER) + (int)kept->making, error, bound, b);
         return;
     }
     // p: the facet's vertices such that (p, x) is positively oriented for x beyond. The function is -t N (x - p).
-    if (sphere->error >= 0x1p499)
+    if (bound >= 0x1p499)
         return;
     {
         const double *edge[3];
         edge[0] = p[1], edge[1] = k == 3 ? p[2] : x, edge[2] = x;
         dy_rows(a, edge, p[0], k, k, k, 0);
     }
-    if (fabs(value) > sphere->error)
+    if (fabs(value) > bound)
         claim_decision(k == 3 ? GHOST_SPACE : GHOST_PLANE, (value < 0 ? 1 : -1) == dy_sign(a));
     if (!(claim_steepness > 0))
         return;
@@ -207,7 +209,7 @@ static void claim_power_of(const paradt__kept *kept, int weighted, const paradt_
     dy_mul(t, t, a);
     dy_difference(error, value, claim_lift);
     dy_add(error, error, t, 1);
-    claim_ratio(k == 3 ? GHOST_SPACE : GHOST_PLANE, error, sphere->error, NULL);
+    claim_ratio(k == 3 ? GHOST_SPACE : GHOST_PLANE, error, bound, NULL);
 }
 
 static void claim_power(const paradt__insertion *build, const paradt__sphere *sphere, size_t cell, const double *x,
