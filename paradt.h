@@ -1608,7 +1608,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     triangulate                  390   the entry
 //   use
 //     minors                        67   determinants with bounds, in floating point
-//     hull points                  470   those that a hull has to look at
+//     hull points                  473   those that a hull has to look at
 //     hull faces                   371   planes, extreme points, measures
 //     hull                         295   the entry
 //     given triangulation          198   the caller's cells and points as a mesh and a set
