@@ -1614,11 +1614,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     methods                      330   one row a method; AUTO's choice
 //     triangulate                  390   the entry
 //   use
-//     minors                        93   determinants with bounds, in floating point
-//     hull points                  474   those that a hull has to look at
-//     hull faces                   374   planes, extreme points, measures
-//     hull                         304   the entry
-//     given triangulation          206   the caller's cells and points as a mesh and a set
+//     minors                        67   determinants with bounds, in floating point
+//     hull points                  473   those that a hull has to look at
+//     hull faces                   371   planes, extreme points, measures
+//     hull                         295   the entry
+//     given triangulation          198   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together

@@ -409,6 +409,40 @@ static void cubes_simplices_and_cross_polytopes_have_their_measures(void **state
     }
 }
 
+// Points on the facets of a cross-polytope, with integers for coordinates that are so large that products are rounded:
+// no facet of the hull is seen to be flat or not by its signs in floating point. One of them is then moved outward by 1.
+static void planes_are_those_of_exact_arithmetic(void **state) {
+    const int64_t size = ((int64_t)1 << 40) + 1;
+    (void)state;
+    for (int d = 2; d <= 5; d++) {
+        const int each = 24, count = 2 * d + (each << d);
+        sample s = sample_make("cross-polytope with points on its facets", d, count);
+        uint64_t seed = (uint64_t)d;
+        paradt_hull hull;
+        memset(s.x, 0, sizeof(double) * (size_t)(count * d));
+        for (int k = 0; k < 2 * d; k++)
+            s.x[k * d + k / 2] = (double)(k % 2 ? -size : size);
+        for (int i = 2 * d; i < count; i++) {
+            int64_t left = size - d;
+            for (int k = 0; k < d; k++) {
+                int64_t part = k + 1 < d ? (int64_t)(random_below(&seed, 1 << 20) * (left >> 21)) : left;
+                s.x[i * d + k] = (double)(part + 1) * (i >> k & 1 ? -1 : 1);
+                left -= part;
+            }
+        }
+        hull = hull_of(&s, NULL);
+        if (hull.plane_count != (size_t)1 << d || hull.extreme_count != (size_t)(2 * d))
+            fail_on_sample(&s, "points on facets are seen outside of them");
+        paradt_hull_free(&hull);
+        s.x[2 * d * d] += s.x[2 * d * d] > 0 ? 1 : -1;
+        hull = hull_of(&s, NULL);
+        if (hull.plane_count != ((size_t)1 << d) - 1 + (size_t)d || hull.extreme_count != (size_t)(2 * d + 1))
+            fail_on_sample(&s, "a point is not seen outside of a facet");
+        paradt_hull_free(&hull);
+        sample_free(&s);
+    }
+}
+
 // Points in a flat: a square in space, slanted, with points inside and on its sides
 static void flat_sets_have_the_measures_of_their_flat(void **state) {
     (void)state;
@@ -771,6 +805,7 @@ int main(void) {
         cmocka_unit_test(many_points_have_the_hull_of_their_triangulation),
         cmocka_unit_test(samples_of_samples_drop_no_point_of_the_hull),
         cmocka_unit_test(cubes_simplices_and_cross_polytopes_have_their_measures),
+        cmocka_unit_test(planes_are_those_of_exact_arithmetic),
         cmocka_unit_test(flat_sets_have_the_measures_of_their_flat),
         cmocka_unit_test(huge_and_tiny_measures_are_scaled),
         cmocka_unit_test(needles_have_a_measure),
