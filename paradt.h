@@ -1537,31 +1537,31 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   ground
 //     memory                       189   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        190   progress, teams, pauses, the clock
+//     tasks                        196   progress, teams, pauses, the clock
 //   predicates
-//     space                        287   what the predicates know of a set
-//     filters                      200   signs in floating point, with error bounds
+//     space                        294   what the predicates know of a set
+//     filters                      222   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        622   signs in integers
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        323   Hilbert's curve, sorting along it
+//     curve                        328   Hilbert's curve, sorting along it
 //     points                       164   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
 //     sorting                      470   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
-//     reference sphere             195   sagittas near a sphere
+//     reference sphere             196   sagittas near a sphere
 //   mesh
 //     mesh                         700   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
-//     scene                        202   conflict test, walk, update
+//     scene                        203   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               388   tests of eight boxes or points together
 //     pencil                       499   the spheres through a facet
-//     search                       373   the apex of a facet, a point in a sphere
+//     search                       377   the apex of a facet, a point in a sphere
 //     questions                     76   the same of cells of others' points
 //   making
 //     first simplex                138   a cell to begin with
@@ -1571,18 +1571,18 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     dewall                       158   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
 //     insertion                    296   dig and star, in any dimension
-//     kept spheres                 667   conflict tests by one product, in two and three dimensions
-//     digging by spheres           298   locate and dig with kept spheres
+//     kept spheres                 668   conflict tests by one product, in two and three dimensions
+//     digging by spheres           301   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           222   dig and star with kept spheres
+//     stars in the plane           223   dig and star with kept spheres
 //     insertion by spheres         172   locate, dig and star, all together
-//     insertion in space by AVX2   505   its inner functions for four lanes
+//     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            127   the same for the plane
 //     inserting                    239   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               345   randomized incremental construction: regions, conflicts, one facet's step
+//     conflict graph               346   randomized incremental construction: regions, conflicts, one facet's step
 //     conflict rounds              408   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               103   convex hulls
@@ -1592,7 +1592,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     insertion by flips           308   search, split, collect, flip
 //     Delaunay tree                296   location by the cells that there were
 //   division
-//     regions of fronts            125   owners, joining
+//     regions of fronts            127   owners, joining
 //     fringe                       106   cells that are not a region's own alone
 //     fields and patches           344   a region's points, its insertion
 //     questions between regions    369   is a cell one of T(P)?
@@ -1608,41 +1608,41 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     triangulate                  390   the entry
 //   use
 //     minors                        67   determinants with bounds, in floating point
-//     hull points                  470   those that a hull has to look at
-//     hull faces                   336   planes, extreme points, measures
-//     hull                         270   the entry
-//     given triangulation          198   the caller's cells and points as a mesh and a set
+//     hull points                  471   those that a hull has to look at
+//     hull faces                   339   planes, extreme points, measures
+//     hull                         276   the entry
+//     given triangulation          206   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       523   the entry of repairing
+//     repair                       524   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               285   a vertex near any place
-//     distances                    161   which of two vertices is nearer
+//     distances                    162   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
-//     adjacency                    189   a vertex to its cells and its neighbours, edges
+//     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
 //     locator                      644   the entry of queries
 //     holes of vertices            382   the hole where a vertex goes, and wrapping it
 //     filling holes                391   what fills it
 //     state of a living set        698   columns, journal, hidden and coincident points
-//     changes of a living set      692   one point comes, goes or moves; the set anew
-//     living set                   634   the entry
+//     changes of a living set      694   one point comes, goes or moves; the set anew
+//     living set                   656   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
-//     diagram order                134   points and cells in the order of space
-//     Voronoi vertices             157   centres of cells, and their errors
+//     diagram order                152   points and cells in the order of space
+//     Voronoi vertices             158   centres of cells, and their errors
 //     Voronoi faces                488   faces and volumes that nothing clips
 //     planes of a cell             329   where planes meet, in integers
-//     clipped cell                 550   a cell as planes and vertices, in any dimension
+//     clipped cell                 552   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   257   volumes, areas, centroids
-//     clipping                     481   all cells that walls or infinity clip
-//     Voronoi                      636   the entry
+//     clipping                     483   all cells that walls or infinity clip
+//     Voronoi                      652   the entry
 //   check
-//     check                        501   the certificate
-//     check of the hull            287   ... and of hidden points
-//     check of a hull              331   that of a hull alone
+//     check                        502   the certificate
+//     check of the hull            293   ... and of hidden points
+//     check of a hull              333   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
