@@ -13598,7 +13598,7 @@ enum {
     PARADT__ROUND_FIRST = 1 << 6,   // or by each of several in the first round,
     PARADT__ROUND_SHARE = 1 << 13,  // and in the last
     PARADT__SHARED_FACETS = 1 << 6, // that each of several tasks shares, when there are few
-    PARADT__CHECK_WORK = 1 << 18    // points tested between two looks at whether the call is cancelled
+    PARADT__CHECK_WORK = 1 << 16    // points tested between two looks at whether the call is cancelled
 };
 
 // Takes a facet that is ready: one of the task's own, or one of those that all share; -1: there is none.
