@@ -298,7 +298,11 @@ void paradt_io_stage_abort(paradt_io_stage *stage) {
 static paradt_io_stage *paradt_io__guarded;
 
 static void paradt_io__interrupted(int number) {
+    static const char said[] = "interrupted\n";
     paradt_io_stage_abort(paradt_io__guarded);
+    if (write(STDERR_FILENO, said, sizeof said - 1) < 0) {
+        // nobody hears it
+    }
     signal(number, SIG_DFL);
     raise(number);
 }

@@ -1,8 +1,13 @@
 // Bounds on errors. What floating point claims (tests/claims.h) holds in runs of the whole library, in all rounding modes;
-// and an adversary climbs, bit by bit, towards the largest ratio of error to bound. A ratio above 1 is a fault. One that
-// stays small tells that the bound could be smaller and no test would see it: so each has a least ratio to be reached,
-// which is 1/4 but where the table tells why not.
-// BOUNDS_EFFORT (1) multiplies the adversary's steps. tests/bounds_plain.c is the same without vector code.
+// and an adversary climbs, bit by bit, towards the largest ratio of error to bound. A ratio above 1 is a fault. A bound that
+// is smaller than its proof allows need not be exceeded where the proof is generous; therefore the highest places that long
+// climbs have reached are kept (tests/inputs/summits.txt). Where the ratio there is twice what it was, the bound has become
+// smaller, and where no climb comes near to it any more, larger.
+// Ratios below 1/4 are those of bounds that are generous by design; each tells why where it is derived in paradt.h:
+//   elimination in five dimensions and more, the first filter's bounds for a whole set, quick bounds of kept spheres,
+//   the search's slacks, and planes, whose bounds hold whatever inverse was found.
+// BOUNDS_EFFORT (1) multiplies the adversary's steps, BOUNDS_ONLY names hills, BOUNDS_TELL=1 prints ratios, BOUNDS_WRITE
+// names a file for summits. tests/bounds_plain.c is the same without vector code.
 #include "claims.h"
 
 #include "harness.h"
@@ -119,6 +124,8 @@ static void what_floating_point_claims_holds_in_every_rounding_mode(void **state
     static const int points_in[] = {0, 0, 50, 40, 12, 9, 9};
     (void)state;
     memset(claims, 0, sizeof claims);
+    if (getenv("BOUNDS_ONLY"))
+        skip();
     for (int dim = 2; dim <= 6; dim++)
         for (int f = 0; f < FAMILY_COUNT; f++) {
             // all modes take their turns, and so do weights: they need not meet
@@ -161,7 +168,7 @@ typedef struct hill {
     int rows, k, d; // points, dimensions
     int weighted;
     void (*ask)(const struct hill *h, const double *const *p); // makes the claim
-    double least;                                              // ratio to be reached
+    double known; // the ratio that long climbs have reached
     int option;
 } hill;
 
@@ -429,6 +436,13 @@ static void ask_search(const hill *h, const double *const *p) {
 
 // --- climbing
 
+// How much of the known ratio is to be reached: where products are contracted, other places are the highest
+#if defined(__x86_64__) && !defined(__FMA__)
+#define NEAR 0.8
+#else
+#define NEAR 0.25
+#endif
+
 static double random_about_one(uint64_t *state) {
     double x = 1 - random_unit(state) * ldexp(1, -random_below(state, 12));
     return random_bits(state) & 1 ? x : -x;
@@ -562,8 +576,9 @@ static double hill_climb_from(const hill *h, double *v, int count, int steps, ui
     return height;
 }
 
-// Climbs in all modes, from some places each and from where others have been. Returns the largest ratio.
-static double hill_climb(const hill *h, int steps, uint64_t seed) {
+// Climbs in all modes, from some places each and from the summit that is kept, whose ratio *kept_ratio becomes. Returns the
+// largest ratio.
+static double hill_climb(const hill *h, int steps, uint64_t seed, double *kept_ratio) {
     enum { STARTS = 3 };
     const int count = h->rows * hill_width(h);
     double v[MOST_VALUES] = {0}, best[MOST_VALUES] = {0}, summit = 0;
@@ -578,6 +593,8 @@ static double hill_climb(const hill *h, int steps, uint64_t seed) {
         for (int i = 0; i < count && start >= 0; i++)
             v[i] = random_about_one(&state);
         fesetround(modes[mode]);
+        if (start < 0)
+            *kept_ratio = hill_height(h, v);
         height = hill_climb_from(h, v, count, steps / (start < 0 ? 1 : (int)STARTS), &state);
         fesetround(FE_TONEAREST);
         if (height <= summit)
@@ -591,91 +608,92 @@ static double hill_climb(const hill *h, int steps, uint64_t seed) {
 }
 
 static const hill hills[] = {
-    {"orient, 2", ORIENT + 2, 3, 2, 2, 0, ask_second, 0.25, 0},
-    {"orient, 3", ORIENT + 3, 4, 3, 3, 0, ask_second, 0.25, 0},
-    {"orient, 4", ORIENT + 4, 5, 4, 4, 0, ask_second, 0.25, 0},
-    {"orient, 5", ORIENT + 5, 6, 5, 5, 0, ask_second, 0, 0},
-    {"orient, 6", ORIENT + 6, 7, 6, 6, 0, ask_second, 0, 0},
-    {"in sphere, 2", INSPHERE + 2, 4, 2, 2, 0, ask_second, 0.25, 0},
-    {"in sphere, 2, weighted", INSPHERE + 2, 4, 2, 2, 1, ask_second, 0.25, 0},
-    {"in sphere, 2 of 3", INSPHERE + 2, 4, 2, 3, 0, ask_second, 0.25, 0},
-    {"in sphere, 3", INSPHERE + 3, 5, 3, 3, 0, ask_second, 0.25, 0},
-    {"in sphere, 3, weighted", INSPHERE + 3, 5, 3, 3, 1, ask_second, 0.25, 0},
-    {"in sphere, 3, monomials", MONOMIALS, 5, 3, 3, 0, ask_second, 0.25, 0},
-    {"in sphere, 4", INSPHERE + 4, 6, 4, 4, 0, ask_second, 0.25, 0},
-    {"in sphere, 5", INSPHERE + 5, 7, 5, 5, 0, ask_second, 0, 0},
-    {"orient, 2, set", SET_ORIENT + 2, 3, 2, 2, 0, ask_first, 0.25, 0},
-    {"orient, 3, set", SET_ORIENT + 3, 4, 3, 3, 0, ask_first, 0.25, 0},
-    {"orient, 4, set", SET_ORIENT + 4, 5, 4, 4, 0, ask_first, 0.25, 0},
-    {"in sphere, 2, set", SET_INSPHERE + 2, 4, 2, 2, 0, ask_first, 0.25, 0},
-    {"in sphere, 3, set", SET_INSPHERE + 3, 5, 3, 3, 0, ask_first, 0.25, 0},
-    {"in sphere, 4, set", SET_INSPHERE + 4, 6, 4, 4, 0, ask_first, 0.25, 0},
-    {"sphere, quick", SPHERE_POWER + PARADT__MAKE_QUICKLY, 5, 3, 3, 0, ask_sphere, 0.25, PARADT__MAKE_QUICKLY},
-    {"sphere, sharp", SPHERE_POWER + PARADT__MAKE_SHARP, 5, 3, 3, 0, ask_sphere, 0.25, PARADT__MAKE_SHARP},
-    {"sphere, weighted", SPHERE_POWER + PARADT__MAKE_WEIGHTED, 5, 3, 3, 1, ask_sphere, 0.25, PARADT__MAKE_WEIGHTED},
-    {"circle", CIRCLE_POWER + PARADT__MAKE_SHARP, 4, 2, 2, 0, ask_sphere, 0.25, 0},
-    {"circle, weighted", CIRCLE_POWER + PARADT__MAKE_WEIGHTED, 4, 2, 2, 1, ask_sphere, 0.25, 0},
+    {"orient, 2", ORIENT + 2, 3, 2, 2, 0, ask_second, 0.732, 0},
+    {"orient, 3", ORIENT + 3, 4, 3, 3, 0, ask_second, 0.381, 0},
+    {"orient, 4", ORIENT + 4, 5, 4, 4, 0, ask_second, 0.242, 0},
+    {"orient, 5", ORIENT + 5, 6, 5, 5, 0, ask_second, 0.003, 0},
+    {"orient, 6", ORIENT + 6, 7, 6, 6, 0, ask_second, 0.001, 0},
+    {"in sphere, 2", INSPHERE + 2, 4, 2, 2, 0, ask_second, 0.397, 0},
+    {"in sphere, 2, weighted", INSPHERE + 2, 4, 2, 2, 1, ask_second, 0.290, 0},
+    {"in sphere, 2 of 3", INSPHERE + 2, 4, 2, 3, 0, ask_second, 0.332, 0},
+    {"in sphere, 3", INSPHERE + 3, 5, 3, 3, 0, ask_second, 0.193, 0},
+    {"in sphere, 3, weighted", INSPHERE + 3, 5, 3, 3, 1, ask_second, 0.169, 0},
+    {"in sphere, 3, monomials", MONOMIALS, 5, 3, 3, 0, ask_second, 0.670, 0},
+    {"in sphere, 4", INSPHERE + 4, 6, 4, 4, 0, ask_second, 0.147, 0},
+    {"in sphere, 5", INSPHERE + 5, 7, 5, 5, 0, ask_second, 0.001, 0},
+    {"orient, 2, set", SET_ORIENT + 2, 3, 2, 2, 0, ask_first, 0.496, 0},
+    {"orient, 3, set", SET_ORIENT + 3, 4, 3, 3, 0, ask_first, 0.225, 0},
+    {"orient, 4, set", SET_ORIENT + 4, 5, 4, 4, 0, ask_first, 0.064, 0},
+    {"in sphere, 2, set", SET_INSPHERE + 2, 4, 2, 2, 0, ask_first, 0.103, 0},
+    {"in sphere, 3, set", SET_INSPHERE + 3, 5, 3, 3, 0, ask_first, 0.040, 0},
+    {"in sphere, 4, set", SET_INSPHERE + 4, 6, 4, 4, 0, ask_first, 0.009, 0},
+    {"sphere, quick", SPHERE_POWER + PARADT__MAKE_QUICKLY, 5, 3, 3, 0, ask_sphere, 0.152, PARADT__MAKE_QUICKLY},
+    {"sphere, sharp", SPHERE_POWER + PARADT__MAKE_SHARP, 5, 3, 3, 0, ask_sphere, 0.212, PARADT__MAKE_SHARP},
+    {"sphere, weighted", SPHERE_POWER + PARADT__MAKE_WEIGHTED, 5, 3, 3, 1, ask_sphere, 0.252, PARADT__MAKE_WEIGHTED},
+    {"circle", CIRCLE_POWER + PARADT__MAKE_SHARP, 4, 2, 2, 0, ask_sphere, 0.286, 0},
+    {"circle, weighted", CIRCLE_POWER + PARADT__MAKE_WEIGHTED, 4, 2, 2, 1, ask_sphere, 0.239, 0},
 #if defined(PARADT__KEPT_AVX2)
-    {"four spheres, quick", SPHERE_POWER + PARADT__MAKE_QUICKLY, 5, 3, 3, 0, ask_four, 0.25, PARADT__MAKE_QUICKLY},
-    {"four spheres, sharp", SPHERE_POWER + PARADT__MAKE_SHARP, 5, 3, 3, 0, ask_four, 0.25, PARADT__MAKE_SHARP},
-    {"four spheres, weighted", SPHERE_POWER + PARADT__MAKE_WEIGHTED, 5, 3, 3, 1, ask_four, 0.25, PARADT__MAKE_WEIGHTED},
-    {"four circles", CIRCLE_POWER + PARADT__MAKE_SHARP, 4, 2, 2, 0, ask_four, 0.25, 0},
-    {"four circles, weighted", CIRCLE_POWER + PARADT__MAKE_WEIGHTED, 4, 2, 2, 1, ask_four, 0.25, 0},
+    {"four spheres, quick", SPHERE_POWER + PARADT__MAKE_QUICKLY, 5, 3, 3, 0, ask_four, 0.217, PARADT__MAKE_QUICKLY},
+    {"four spheres, sharp", SPHERE_POWER + PARADT__MAKE_SHARP, 5, 3, 3, 0, ask_four, 0.259, PARADT__MAKE_SHARP},
+    {"four spheres, weighted", SPHERE_POWER + PARADT__MAKE_WEIGHTED, 5, 3, 3, 1, ask_four, 0.294, PARADT__MAKE_WEIGHTED},
+    {"four circles", CIRCLE_POWER + PARADT__MAKE_SHARP, 4, 2, 2, 0, ask_four, 0.295, 0},
+    {"four circles, weighted", CIRCLE_POWER + PARADT__MAKE_WEIGHTED, 4, 2, 2, 1, ask_four, 0.209, 0},
 #endif
-    {"ghost, 3", GHOST_SPACE, 4, 3, 3, 0, ask_ghost, 0.25, PARADT__MAKE_QUICKLY},
-    {"ghost, 2", GHOST_PLANE, 3, 2, 2, 0, ask_ghost, 0.25, 0},
-    {"ghost, 3, without lift", GHOST_SPACE, 4, 3, 3, 0, ask_steep, 0.25, PARADT__MAKE_QUICKLY},
-    {"ghost, 2, without lift", GHOST_PLANE, 3, 2, 2, 0, ask_steep, 0.25, 0},
-    {"sides, 2", SIDES, 4, 2, 2, 0, ask_sides, 0.25, 0},
-    {"sides, 3", SIDES, 5, 3, 3, 0, ask_sides, 0.25, 0},
-    {"search, F, 2", SEARCH_F, 5, 2, 2, 0, ask_search, 0.25, 0},
-    {"search, F, 3", SEARCH_F, 6, 3, 3, 0, ask_search, 0.25, 0},
-    {"search, F, 3, weighted", SEARCH_F, 6, 3, 3, 1, ask_search, 0.25, 0},
-    {"search, F, 4", SEARCH_F, 7, 4, 4, 0, ask_search, 0.25, 0},
-    {"search, N, 2", SEARCH_N, 5, 2, 2, 0, ask_search, 0.25, 0},
-    {"search, N, 3", SEARCH_N, 6, 3, 3, 0, ask_search, 0.25, 0},
-    {"plane of a cell, 2", PLANE_CELL, 4, 2, 2, 0, ask_plane, 0.25, 0},
-    {"plane of a cell, 3", PLANE_CELL, 5, 3, 3, 0, ask_plane, 0.25, 0},
-    {"plane of a cell, 3, weighted", PLANE_CELL, 5, 3, 3, 1, ask_plane, 0.25, 0},
-    {"plane of a cell, 4", PLANE_CELL, 6, 4, 4, 0, ask_plane, 0.25, 0},
-    {"plane of a ghost, 3", PLANE_GHOST, 5, 3, 3, 0, ask_plane, 0.25, 1},
-    {"plane of a facet, 2", PLANE_FACET, 4, 2, 2, 0, ask_plane, 0.25, 2},
-    {"plane of a facet, 3", PLANE_FACET, 5, 3, 3, 0, ask_plane, 0.25, 2},
-    {"plane of a facet, 5", PLANE_FACET, 7, 5, 5, 0, ask_plane, 0.25, 2},
-    {"power at a place, 2", DISTANCE, 2, 2, 2, 0, ask_distance, 0.25, 0},
-    {"power at a place, 3", DISTANCE, 2, 3, 3, 0, ask_distance, 0.25, 0},
-    {"power at a place, 8, weighted", DISTANCE, 2, 8, 8, 1, ask_distance, 0.25, 0},
-    {"centre, 2", CENTRE, 3, 2, 2, 0, ask_centre, 0.25, 0},
-    {"centre, 3", CENTRE, 4, 3, 3, 0, ask_centre, 0.25, 0},
-    {"centre, 3, weighted", CENTRE, 4, 3, 3, 1, ask_centre, 0.25, 0},
-    {"plane of the sieve, 2", MINORS, 3, 2, 2, 0, ask_sieve, 0.25, 0},
-    {"plane of the sieve, 3", MINORS, 4, 3, 3, 0, ask_sieve, 0.25, 0},
-    {"plane of the sieve, 4", MINORS, 5, 4, 4, 0, ask_sieve, 0.25, 0},
+    {"ghost, 3", GHOST_SPACE, 4, 3, 3, 0, ask_ghost, 0.500, PARADT__MAKE_QUICKLY},
+    {"ghost, 2", GHOST_PLANE, 3, 2, 2, 0, ask_ghost, 0.500, 0},
+    {"ghost, 3, without lift", GHOST_SPACE, 4, 3, 3, 0, ask_steep, 0.361, PARADT__MAKE_QUICKLY},
+    {"ghost, 2, without lift", GHOST_PLANE, 3, 2, 2, 0, ask_steep, 0.313, 0},
+    {"sides, 2", SIDES, 4, 2, 2, 0, ask_sides, 0.495, 0},
+    {"sides, 3", SIDES, 5, 3, 3, 0, ask_sides, 0.221, 0},
+    {"search, F, 2", SEARCH_F, 5, 2, 2, 0, ask_search, 0.075, 0},
+    {"search, F, 3", SEARCH_F, 6, 3, 3, 0, ask_search, 0.045, 0},
+    {"search, F, 3, weighted", SEARCH_F, 6, 3, 3, 1, ask_search, 0.051, 0},
+    {"search, F, 4", SEARCH_F, 7, 4, 4, 0, ask_search, 0.067, 0},
+    {"search, N, 2", SEARCH_N, 5, 2, 2, 0, ask_search, 0.047, 0},
+    {"search, N, 3", SEARCH_N, 6, 3, 3, 0, ask_search, 0.055, 0},
+    {"plane of a cell, 2", PLANE_CELL, 4, 2, 2, 0, ask_plane, 0.121, 0},
+    {"plane of a cell, 3", PLANE_CELL, 5, 3, 3, 0, ask_plane, 0.160, 0},
+    {"plane of a cell, 3, weighted", PLANE_CELL, 5, 3, 3, 1, ask_plane, 0.341, 0},
+    {"plane of a cell, 4", PLANE_CELL, 6, 4, 4, 0, ask_plane, 0.349, 0},
+    {"plane of a ghost, 3", PLANE_GHOST, 5, 3, 3, 0, ask_plane, 0.109, 1},
+    {"plane of a facet, 2", PLANE_FACET, 4, 2, 2, 0, ask_plane, 0.073, 2},
+    {"plane of a facet, 3", PLANE_FACET, 5, 3, 3, 0, ask_plane, 0.108, 2},
+    {"plane of a facet, 5", PLANE_FACET, 7, 5, 5, 0, ask_plane, 0.170, 2},
+    {"power at a place, 2", DISTANCE, 2, 2, 2, 0, ask_distance, 0.167, 0},
+    {"power at a place, 3", DISTANCE, 2, 3, 3, 0, ask_distance, 0.208, 0},
+    {"power at a place, 8, weighted", DISTANCE, 2, 8, 8, 1, ask_distance, 0.458, 0},
+    {"centre, 2", CENTRE, 3, 2, 2, 0, ask_centre, 0.368, 0},
+    {"centre, 3", CENTRE, 4, 3, 3, 0, ask_centre, 0.378, 0},
+    {"centre, 3, weighted", CENTRE, 4, 3, 3, 1, ask_centre, 0.391, 0},
+    {"plane of the sieve, 2", MINORS, 3, 2, 2, 0, ask_sieve, 0.333, 0},
+    {"plane of the sieve, 3", MINORS, 4, 3, 3, 0, ask_sieve, 0.417, 0},
+    {"plane of the sieve, 4", MINORS, 5, 4, 4, 0, ask_sieve, 0.404, 0},
 };
 
 static void errors_come_near_to_their_bounds_and_never_exceed_them(void **state) {
     const char *effort = getenv("BOUNDS_EFFORT"), *only = getenv("BOUNDS_ONLY"), *tell = getenv("BOUNDS_TELL");
-    const int steps = 12000 * (effort && atoi(effort) > 0 ? atoi(effort) : 1);
+    const int steps = 6000 * (effort && atoi(effort) > 0 ? atoi(effort) : 1);
     int failures = 0;
     (void)state;
     memset(claims, 0, sizeof claims);
     for (size_t i = 0; i < sizeof hills / sizeof hills[0]; i++) {
         const hill *h = &hills[i];
-        double summit;
+        double summit, kept_ratio = 0;
         if (only && !strstr(h->name, only))
             continue;
-        summit = hill_climb(h, steps, 11 * i + 1);
+        summit = hill_climb(h, steps, 11 * i + 1, &kept_ratio);
         if (tell)
             printf("# %-30s %.3f\n", h->name, summit), fflush(stdout);
-        if (summit > 1 || summit < h->least) {
-            printf("# %s: the largest ratio found is %.3f, and the least wanted %.3f\n", h->name, summit, h->least);
+        if (summit > 1 || summit < NEAR * h->known || kept_ratio > 2 * h->known) {
+            printf("# %s: the ratio of error to bound is %.3f at most, and %.3f at the summit that is kept; known: %.3f\n", h->name,
+                   summit, kept_ratio, h->known);
             failures++;
         }
     }
     if (claim_total())
         fail_msg("errors exceed their bounds");
     if (failures)
-        fail_msg("%d bounds are not reached", failures);
+        fail_msg("%d bounds are not what they were", failures);
 }
 
 int main(void) {

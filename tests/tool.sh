@@ -692,4 +692,16 @@ ls late.* >left 2>/dev/null
 [ $caught -eq 0 ] && [ $status -eq 143 ] && [ ! -s left ]
 report $? an_interrupted_run_leaves_no_file
 
+# Ctrl-C while it works: it ends at once, by the signal, and says so.
+"$tool" --quiet -o later.vtu gen:uniform:3000000:1 >out 2>err &
+process=$!
+sleep 1
+kill -INT $process 2>/dev/null
+caught=$?
+wait $process 2>/dev/null
+status=$?
+ls later.* >left 2>/dev/null
+[ $caught -eq 0 ] && [ $status -eq 130 ] && [ ! -s left ] && grep -q '^interrupted$' err
+report $? control_c_ends_a_run_which_says_so_and_leaves_no_file
+
 plan
