@@ -5,8 +5,8 @@
 # A patch is a unified diff of one fault. It is found by its context, so that it survives when lines move. Its first line is
 #     TEST... -- what is wrong
 # with the tests that should see it, the quickest first. A test is tests/NAME.c, as NAME or NAME:PATTERN for those of its tests
-# whose names match (* and ?); tests/NAME.sh, as NAME.sh; or ranks:N, the first N cases of tests/programs/ranks.c (N,weights: its cases with weights). NAME+MACRO is a
-# test that contains the implementation, built with a macro.
+# whose names match (* and ?); tests/NAME.sh, as NAME.sh; or ranks:N, the first N cases of tests/programs/ranks.c (N,weights: its
+# cases with weights). NAME+MACRO is a test that contains the implementation, built with a macro.
 # A fault is caught when a test fails, crashes or takes more than FAULT_SECONDS of the processor. Before, each of these tests has to
 # pass without a fault. A program under test is built with FAULT_FLAGS.
 CC=${CC:-cc}
@@ -28,8 +28,8 @@ plant() {
     cp -r tests/bench/alone "$work/$1/tests/bench/"
 }
 
-# Builds a test in the current folder: $1 is its name, $2 a macro or nothing. What does not contain the implementation is built once
-# for all faults.
+# Builds a test in the current folder: $1 is its name, $2 a macro or nothing. What does not contain the implementation is built
+# once for all faults.
 build() {
     if [ "$1" = ranks ]; then
         $CC $flags -Itests/bench/alone -o build/ranks tests/programs/ranks.c -pthread -lm
