@@ -1650,9 +1650,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     clipping                     483   all cells that walls or infinity clip
 //     Voronoi                      652   the entry
 //   check
-//     check                        502   the certificate
-//     check of the hull            293   ... and of hidden points
-//     check of a hull              333   that of a hull alone
+//     check                        503   the certificate
+//     check of the hull            287   ... and of hidden points
+//     check of a hull              331   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -31612,6 +31612,7 @@ static paradt_status paradt__check_vertices(paradt__check *check, size_t cell) {
             return paradt__check_fail(check, "a vertex is called hidden", (paradt_index)cell, v);
         if (check->t->representative[v] != v)
             return paradt__check_fail(check, "a vertex is represented by another point", (paradt_index)cell, v);
+        // such a cell is flat as well; this names the reason
         for (j = 0; j < i; j++)
             if (vertices[j] == v) return paradt__check_fail(check, "a cell has a vertex twice", (paradt_index)cell, v);
         check->cell_of[v] = (paradt_index)cell;
@@ -31687,6 +31688,7 @@ static paradt_status paradt__check_facet(paradt__check *check, size_t cell, size
         return paradt__check_fail(check, "a cell does not share the facet with the neighbour across it",
                                   (paradt_index)cell, paradt__check_cell(check, cell)[corner]);
     twin = other * check->corners + (size_t)opposite;
+    // Without this test the twin would find it out, whose neighbour's neighbour it is. It is there to name the reason.
     if (check->halves && (size_t)check->neighbors[facet] != twin)
         return paradt__check_fail(check, "a half-facet is another facet of the neighbour", (paradt_index)cell,
                                   paradt__check_cell(check, cell)[corner]);

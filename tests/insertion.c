@@ -510,8 +510,8 @@ static void ghosts_leave_points_in_their_planes_to_the_predicates(void **state) 
         }
 }
 
-// The in-sphere determinant of five integer points relative to the last, with weights in units of 2^-20. *volume: what it changes by
-// with a unit of the last weight
+// The in-sphere determinant of five integer points relative to the last, with weights in units of 2^-20. *volume: what it changes
+// by with a unit of the last weight
 static int64_t integer_insphere(int (*p)[3], const int64_t *weight, int64_t *volume) {
     int64_t d[4][4], pair[4][4], det = 0;
     for (int i = 0; i < 4; i++) {

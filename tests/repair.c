@@ -251,6 +251,22 @@ static void many_hidden_points_are_built_anew(void **state) {
 }
 
 // Two hidden points at one place: the later one gets weight and becomes a vertex, and stands for the other then.
+// Points move to the places of others: of each two the first stands for both, whichever of them is the vertex that stays.
+static void the_first_of_points_at_one_place_stands_for_them(void **state) {
+    static const int moves[][2] = {{7, 200}, {250, 20}, {100, 101}, {151, 150}};
+    sample s = family_make(&families[family_named("uniform")], NULL, 2, 400, 4);
+    paradt_triangulation t = triangulation_of(&s, NULL);
+    (void)state;
+    for (size_t i = 0; i < sizeof moves / sizeof *moves; i++) {
+        int from = moves[i][0], to = moves[i][1], first = from < to ? from : to;
+        memcpy(s.x + 2 * from, s.x + 2 * to, 2 * sizeof(double));
+        assert_int_equal(expect_new(&s, &t, NULL).rebuilt, 0);
+        assert_true(t.representative[from] == first && t.representative[to] == first);
+    }
+    paradt_free(&t);
+    sample_free(&s);
+}
+
 static void hidden_points_join_a_new_vertex(void **state) {
     sample s = family_make(&families[family_named("uniform")], NULL, 2, 400, 4);
     double weights[400] = {0};
@@ -397,6 +413,7 @@ int main(void) {
         cmocka_unit_test(vertices_that_are_no_points_are_invalid),
         cmocka_unit_test(links_to_nowhere_are_invalid),
         cmocka_unit_test(many_hidden_points_are_built_anew),
+        cmocka_unit_test(the_first_of_points_at_one_place_stands_for_them),
         cmocka_unit_test(hidden_points_join_a_new_vertex),
         cmocka_unit_test(any_allocation_may_fail),
         cmocka_unit_test(limits_of_memory_are_kept),

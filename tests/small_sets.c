@@ -1,5 +1,5 @@
-// Small sets in many regions, and by DeWall. The limits are so low that every way is gone: neighbours are learned at once, many lists
-// of neighbours are too long, and a few points are divided by walls.
+// Small sets in many regions, by DeWall, and by every method. The limits are so low that every way is gone: neighbours are learned
+// at once, many lists of neighbours are too long, and a few points are divided by walls.
 #define PARADT_STATIC // functions that are not called are not compiled
 #define PARADT_IMPLEMENTATION
 #define PARADT__STAR_CELLS  14

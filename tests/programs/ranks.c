@@ -1,4 +1,4 @@
-// Usage: ranks CASES. Small sets of all kinds, whole, thinned out on one side, or flattened, have the same cells on two to twelve
+// Usage: ranks CASES [weights]. Small sets of all kinds, whole, thinned out on one side, or flattened, have the same cells on two to twelve
 // ranks as by a serial call, and what is gathered is certified: in odd cases with half-facets for neighbours. The ranks run one
 // after another, by the MPI of the benchmark's study, so a case takes milliseconds with any number of ranks. The exit status is 1
 // if a case differs, which is then named.
@@ -21,6 +21,7 @@ static struct {
 } at_hand;
 
 static uint64_t state;
+static int heavy; // all have weights
 
 static size_t below(size_t bound) {
     state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
@@ -53,9 +54,11 @@ static void make_case(unsigned number) {
     at_hand.points.data = at_hand.x;
     at_hand.points.count = at_hand.spec.count;
     at_hand.points.dim = dim;
-    at_hand.points.weights = below(6) ? NULL : at_hand.weights;
+    at_hand.points.weights = below(6) && !heavy ? NULL : at_hand.weights;
     paradt_gen_points(&at_hand.spec, dim, 0, at_hand.spec.count, at_hand.x);
     paradt_gen_weights(&at_hand.spec, dim, 0, at_hand.spec.count, at_hand.weights);
+    for (i = 0; i < at_hand.spec.count && heavy; i++)
+        at_hand.weights[i] = (double)below(1000) * (i % 7 ? 1e-5 : 2e-4) * (double)(1 + below(3));
     switch (below(4)) {
     case 1:
         for (i = 0; i < at_hand.spec.count; i++) at_hand.x[i * (size_t)dim] /= 64;
@@ -91,8 +94,9 @@ static void rank_program(int rank) {
 
 int main(int argc, char **argv) {
     static alone_record record;
-    unsigned cases = argc == 2 ? (unsigned)atoi(argv[1]) : 0, number;
+    unsigned cases = argc > 1 ? (unsigned)atoi(argv[1]) : 0, number;
     int failed = !cases;
+    heavy = argc > 2;
     for (number = 0; number < cases; number++) {
         paradt_triangulation t;
         uint64_t expected;
