@@ -1552,14 +1552,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     exact                        622   signs in integers
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
-//     curve                        328   Hilbert's curve, sorting along it
+//     curve                        330   Hilbert's curve, sorting along it
 //     points                       164   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
 //     sorting                      471   along the curve, box after box
 //     scale and axes               152   the scale, the axes that orient
-//     reference sphere             196   sagittas near a sphere
+//     reference sphere             204   sagittas near a sphere
 //   mesh
 //     mesh                         700   cells, links, ghosts, free places; closing
 //     facets                       258   the table of facets: AFL, open facets
@@ -1577,14 +1577,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    296   dig and star, in any dimension
-//     kept spheres                 668   conflict tests by one product, in two and three dimensions
-//     digging by spheres           301   locate and dig with kept spheres
+//     insertion                    298   dig and star, in any dimension
+//     kept spheres                 639   conflict tests by one product, in two and three dimensions
+//     digging by spheres           381   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           223   dig and star with kept spheres
-//     insertion by spheres         172   locate, dig and star, all together
+//     stars in the plane           297   dig and star with kept spheres
+//     insertion by spheres         219   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
-//     the plane by AVX2            127   the same for the plane
+//     the plane by AVX2            143   the same for the plane
 //     inserting                    239   insertions from begin to end
 //     planes                       355   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
@@ -1614,10 +1614,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     methods                      330   one row a method; AUTO's choice
 //     triangulate                  390   the entry
 //   use
-//     minors                        67   determinants with bounds, in floating point
-//     hull points                  471   those that a hull has to look at
-//     hull faces                   339   planes, extreme points, measures
-//     hull                         276   the entry
+//     minors                        93   determinants with bounds, in floating point
+//     hull points                  474   those that a hull has to look at
+//     hull faces                   375   planes, extreme points, measures
+//     hull                         304   the entry
 //     given triangulation          206   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
 //     mending by holes             438   what flips leave, by small triangulations
@@ -1632,27 +1632,27 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
 //     locator                      644   the entry of queries
-//     holes of vertices            382   the hole where a vertex goes, and wrapping it
-//     filling holes                391   what fills it
+//     holes of vertices            456   the hole where a vertex goes, and wrapping it
+//     filling holes                466   what fills it
 //     past of a living set         245   location by all cells that there were
-//     state of a living set        698   columns, journal, hidden and coincident points
+//     state of a living set        435   columns, journal, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      694   one point comes, goes or moves; the set anew
+//     changes of a living set      458   one point comes, goes or moves; the set anew
 //     making a living set          260   the set anew
-//     living set                   656   the entry
+//     living set                   707   the entry
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             158   centres of cells, and their errors
-//     Voronoi faces                488   faces and volumes that nothing clips
+//     Voronoi faces                490   faces and volumes that nothing clips
 //     planes of a cell             329   where planes meet, in integers
 //     clipped cell                 552   a cell as planes and vertices, in any dimension
-//     measures of a clipped cell   257   volumes, areas, centroids
-//     clipping                     483   all cells that walls or infinity clip
-//     Voronoi                      652   the entry
+//     measures of a clipped cell   261   volumes, areas, centroids
+//     clipping                     482   all cells that walls or infinity clip
+//     Voronoi                      654   the entry
 //   check
-//     check                        503   the certificate
-//     check of the hull            287   ... and of hidden points
-//     check of a hull              331   that of a hull alone
+//     check                        504   the certificate
+//     check of the hull            293   ... and of hidden points
+//     check of a hull              333   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
