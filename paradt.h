@@ -1546,7 +1546,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        196   progress, teams, pauses, the clock
 //   predicates
-//     space                        294   what the predicates know of a set
+//     space                        298   what the predicates know of a set
 //     filters                      222   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        622   signs in integers
@@ -1566,7 +1566,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     scene                        203   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
-//     search kernels               388   tests of eight boxes or points together
+//     search kernels               390   tests of eight boxes or points together
 //     pencil                       499   the spheres through a facet
 //     search                       377   the apex of a facet, a point in a sphere
 //     questions                     76   the same of cells of others' points
@@ -1577,16 +1577,16 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    298   dig and star, in any dimension
-//     kept spheres                 639   conflict tests by one product, in two and three dimensions
-//     digging by spheres           381   locate and dig with kept spheres
+//     insertion                    296   dig and star, in any dimension
+//     kept spheres                 669   conflict tests by one product, in two and three dimensions
+//     digging by spheres           301   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
 //     stars in the plane           297   dig and star with kept spheres
 //     insertion by spheres         219   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            143   the same for the plane
 //     inserting                    239   insertions from begin to end
-//     planes                       355   conflict tests by one product, in any dimension
+//     planes                       357   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
 //     conflict graph               346   randomized incremental construction: regions, conflicts, one facet's step
@@ -2599,6 +2599,10 @@ static void paradt__space_join(paradt__space *s, const paradt__space *other) {
 // pivots, in at most n h 2^n < 2^36 ways (2^n because pivots grow) of 2^3 operations each. A column without a pivot
 // above 1e-300 makes the determinant less than 2^36 1e-300 Q. All of that is below 2^-959 Q. No value exceeds 2^36 Q,
 // so that nothing overflows if 2^36 Q < 2^1023.
+//
+// The bounds for all points, `certain`, take the sides of the whole box for the largest entries of every column, and
+// its diagonal for every lift: even of points at its corners errors are a half of that for orientations in the plane, a
+// tenth for in-sphere tests there and a hundredth in four dimensions. They only have to settle what is far from 0.
 static void paradt__space_end(paradt__space *s) {
     const int d = s->ambient, unit = s->coordinates.unit, top = paradt__max(s->coordinates.top + 1, 0);
     const int lift_top = paradt__max(2 * top + 3, s->weights.top + 1) + 1, growth = d * top + lift_top; // Q <= 2^growth
@@ -7428,7 +7432,9 @@ PARADT__OPTIONAL paradt_status paradt__grid_list_within(const paradt__grid *grid
 // Doors: paradt__kernels_choose, PARADT__ROUND.
 
 // u = 2^-52 holds in every rounding mode. A term of a sum passes through a difference (u), at most 2 products (2u), and
-// at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared.
+// at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared. That
+// is a quarter of K: with it, and with slacks that are set to twice what is needed and hold for the whole facet, errors
+// of F and N that tests/bounds.c finds are a twentieth to a thirteenth of their bounds.
 #define PARADT__ROUND(dim) (8.0 * ((dim) + 6) * 2.220446049250313e-16)
 #define PARADT__NO_BOUND   3.2733906078961419e150 // 2^500: larger than all of a filtered set, its square finite
 
@@ -10103,7 +10109,8 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 //         P = m_x m_y m_z,   N_x = L m_y m_z,   N_y = m_x L m_z,   N_z = m_x m_y L.
 //     Where cells are long and thin the quick bounds leave many powers open that the in-sphere filter decides; then
 //     paradt__kept_adapt changes over to sharp ones. All sums may be associated in any order and contracted, which only
-//     drops roundings.
+//     drops roundings. tests/bounds.c finds errors of a fourth to a fifth of sharp bounds and a seventh of quick ones:
+//     not all of the 15 roundings of a term can be at their worst together.
 // (6) Ghosts. A ghost's function is power(x) = |x|^2 - t N . (x - p) with N = a x b, a and b the differences of its
 //     facet's other vertices to p, and t = 2^60 H^(1/2) / max |N_j|. With m_j = max(|a_j|, |b_j|), N_x is wrong by at
 //     most 3.1u * 2 m_y m_z + u |N_x|. The terms N_j (x - p)_j pass 8 more roundings, |x - p|_j is at most 2 h_j, and
@@ -12794,7 +12801,9 @@ PARADT__HOT paradt_status paradt__bowyer_watson(const paradt__set *set, paradt__
 //     sizes. The terms are at most 4 H + 2 W + 2 |y| in size together, and none passes more than 24 roundings. For a
 //     ghost or facet the terms are at most 2 + 2 |y| in size. So the value is certain if its size exceeds
 //         error = 2 n slack + 32 u (4 H + 2 W + 2 |y|)   or   2 n slack + 32 u (2 + 2 |y|),
-//     here rounded up by a sixteenth for the higher orders and for the roundings in the bound itself.
+//     here rounded up by a sixteenth for the higher orders and for the roundings in the bound itself. tests/bounds.c
+//     finds errors of a 14th of that for facets in the plane to a third for cells: slack takes the largest component
+//     for all, and every |X_j| for 2.
 // (4) The side. A ghost's function may have to be turned. The centroid of the first simplex, of which no facet of a
 //     later hull has more than its vertices in its plane, is on the inner side of every facet. Its computed coordinates
 //     err by 12 u at most, so g of them is as far off as another 12 u (1 + |y|), which is less than the error: the side
