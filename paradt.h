@@ -1534,8 +1534,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hulls             >>mesh; >>planes, >>ridge table, >>conflict graph, >>conflict rounds; >>lifted hull; >>hull of
 //                       points to >>hull
 //     queries           >>mesh, >>scene; >>given triangulation, >>location to >>locator
-//     living sets       >>mesh, >>scene, >>insertion; >>holes of vertices to >>living set (for >>past of a living set
-//                       flips, tree)
+//     living sets       >>mesh, >>scene, >>insertion; >>holes of vertices to >>reading a living set (for >>past of a
+//                       living set flips, tree)
 //     Voronoi diagrams  >>given triangulation, >>diagram to >>Voronoi faces; where walls are, >>planes of a cell to
 //                       >>clipping
 //
@@ -1577,9 +1577,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    296   dig and star, in any dimension
-//     kept spheres                 669   conflict tests by one product, in two and three dimensions
-//     digging by spheres           301   locate and dig with kept spheres
+//     insertion                    298   dig and star, in any dimension
+//     kept spheres                 640   conflict tests by one product, in two and three dimensions
+//     digging by spheres           381   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
 //     stars in the plane           297   dig and star with kept spheres
 //     insertion by spheres         219   locate, dig and star, all together
@@ -1637,9 +1637,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        435   columns, journal, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      458   one point comes, goes or moves; the set anew
+//     changes of a living set      458   one point comes, goes or moves
 //     making a living set          260   the set anew
-//     living set                   707   the entry
+//     living set                   452   what changes it: one point, many points
+//     reading a living set         259   cells, stars, places and what is nearest, without a change
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             158   centres of cells, and their errors
@@ -27272,11 +27273,10 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
 // ---------------------------------------------------------------------------------------------------------------------
 // >>living set
 //
-// Points that come, go and move: the public functions. Every change, of one point or of many, is checked, done point by
-// point along the curve, and then published, or undone after an error. A change of many points, compared with those
-// that are there, and one that changes the dimension, makes the set anew instead: beside the old one, which is replaced
-// in the end, or kept after an error.
-// Doors: the public functions.
+// Points that come, go and move: the public functions that change a set. Every change, of one point or of many, is
+// checked, done point by point along the curve, and then published, or undone after an error. A change of many points,
+// compared with those that are there, and one that changes the dimension, makes the set anew instead: beside the old
+// one, which is replaced in the end, or kept after an error. Doors: the public functions.
 
 typedef enum paradt__change_kind { PARADT__INSERTION, PARADT__REMOVAL, PARADT__MOTION } paradt__change_kind;
 
@@ -27722,7 +27722,12 @@ PARADT_DEF paradt_status paradt_dynamic_move_points(paradt_dynamic *d, const par
     return paradt__living_change(d, &change);
 }
 
-// --- what the set is
+// ---------------------------------------------------------------------------------------------------------------------
+// >>reading a living set
+//
+// What a living set is now: its cells, points and stars, the last change, where a place is and what is nearest to it,
+// and the set as a triangulation. Nothing here changes the set.
+// Doors: the public functions.
 
 PARADT_DEF void paradt_dynamic_get_info(const paradt_dynamic *d, paradt_dynamic_info *info) {
     memset(info, 0, sizeof *info);
