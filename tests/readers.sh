@@ -97,6 +97,7 @@ while IFS='|' read -r name arguments file contents due; do
     # shellcheck disable=SC2086 # the arguments are words
     prints "$name" "$due" $arguments "$file"
 done <<'TABLE'
+halves_become_even||a.txt|9007199254740993 9007199254740995\n|9007199254740992 9007199254740996;
 comment_signs||a.txt|# a\n%% b\n// c\n! d\n1 2\n  %% e\n3 4 # f\n|1 2;3 4;
 several_title_lines||a.csv|Run of Monday\nx,y\n"in m","in m"\n1,2\n3,5\n|1 2;3 5;
 titles_in_any_case_and_order||a.csv|Z;Name;Y;X\n3;a;2;1\n6;b;5;4\n|1 2 3;4 5 6;
@@ -170,6 +171,8 @@ while IFS='|' read -r name due pattern arguments file contents; do
     # shellcheck disable=SC2086 # the arguments are words
     refuses "$name" "$due" "$pattern" $arguments "$file"
 done <<'TABLE'
+an_infinite_coordinate|3|coordinate 2 is not finite||a.txt|1 2\n3 1e999\n
+a_nan|3|coordinate 1 is not finite||a.txt|1 2\nnan 4\n
 mmcif_called_pdb|3|that of a .cif file, not of .pdb; rename it, or give --format cif||a.pdb|data_1\nloop_\n_atom_site.Cartn_x\n1\n
 ply_called_text|3|that of a .ply file, not of .csv||a.csv|ply\nformat ascii 1.0\nend_header\n
 text_called_ply|3|not a PLY file||a.ply|1 2 3\n

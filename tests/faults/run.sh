@@ -81,6 +81,11 @@ run() {
             else if (!passed) print "has no such test"
             exit status == 0 && passed ? 0 : status == 0 ? 3 : 1
         }' >build/failure
+    failed=$?
+    case $(cat build/failure) in
+    *_build | *_builds) return 2 ;; # that is no test of what was planted
+    esac
+    return $failed
 }
 
 # Plants one fault and prints its line. none/TEST: no fault; the test has to pass.
