@@ -53,13 +53,13 @@ dictionary() { # harness, the option that names a dictionary
     test -e fuzz/$1.dict && echo "$2fuzz/$1.dict"
 }
 
-# Fuzzes one harness and adds a row to the table. 2000 ms are a hang.
+# Fuzzes one harness and adds a row to the table. 5 seconds are a hang: inputs take a tenth at most, but processors may be busy.
 by_afl() {
     harness=$1 manner=$2 found=$root/found/$2/$1 first=fuzz/corpus/$1
     mkdir -p "$found"
     # the sanitized one begins with what the other one has found
     test $manner = sanitized && test -d $root/found/plain/$harness/default/queue && first=$root/found/plain/$harness/default/queue
-    afl-fuzz -V $seconds -t 2000 -m none -i $first -o $found $(dictionary $harness "-x ") -- $root/$manner/$harness \
+    afl-fuzz -V $seconds -t 5000 -m none -i $first -o $found $(dictionary $harness "-x ") -- $root/$manner/$harness \
         >$root/$manner/$harness.log 2>&1 || tail -5 $root/$manner/$harness.log
     faults=$(ls $found/default/crashes $found/default/hangs 2>/dev/null | grep -c '^id')
     row $harness $manner "$(value execs_done)" "$(value execs_per_sec)" "$(value corpus_count)" \
@@ -70,7 +70,7 @@ by_afl() {
 by_libfuzzer() {
     harness=$1 manner=$2 found=$root/found/libfuzzer/$1 log=$root/$2/$1.log
     mkdir -p "$found" $root/$manner/faults
-    $root/$manner/$harness -max_total_time=$seconds -timeout=2 -rss_limit_mb=0 -print_final_stats=1 -max_len=4096 \
+    $root/$manner/$harness -max_total_time=$seconds -timeout=5 -rss_limit_mb=0 -print_final_stats=1 -max_len=4096 \
         -artifact_prefix=$root/$manner/faults/$harness- $(dictionary $harness -dict=) $found fuzz/corpus/$harness >$log 2>&1
     faults=$(ls $root/$manner/faults/$harness-* 2>/dev/null | wc -l)
     row $harness $manner "$(sed -n 's/^stat::number_of_executed_units: *//p' $log)" \
