@@ -1615,7 +1615,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     triangulate                  390   the entry
 //   use
 //     minors                        93   determinants with bounds, in floating point
-//     hull points                  474   those that a hull has to look at
+//     hull points                  475   those that a hull has to look at
 //     hull faces                   375   planes, extreme points, measures
 //     hull                         304   the entry
 //     given triangulation          206   the caller's cells and points as a mesh and a set
@@ -19797,7 +19797,8 @@ static paradt_status paradt__sieve_begin(paradt__sifting *sifting, paradt__sieve
     coordinates = (double *)paradt__alloc(sifting->memory, count, size);
     if (!coordinates) return PARADT_ERROR_MEMORY;
     while (count / STEP >= least[sieve->dim]) count /= STEP;
-    if (count > FEW) status = paradt__sieve_refine(sifting, sieve, high, FEW, count, coordinates, &pays, &vertices);
+    if (count > (sieve->dim < 5 ? 8 * FEW : FEW))
+        status = paradt__sieve_refine(sifting, sieve, high, FEW, count, coordinates, &pays, &vertices);
     for (pays = vertices < FEW; count <= all / STEP && pays && !status; count *= STEP)
         status = paradt__sieve_refine(sifting, sieve, high, count, count * STEP, coordinates, &pays, &vertices);
     paradt__release(sifting->memory, coordinates);
