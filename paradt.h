@@ -42,6 +42,7 @@
 //                            disagree. Insertion has no code for SSE2 and AVX2 then
 //     PARADT_MAX_DIM         the largest dimension, 2 to 8; code for larger ones is not compiled. The same in all files
 //     PARADT_ASSERT(c)       checks of the code's own invariants, never of your data; nothing, or as you define it
+//     PARADT_CLAIM(kind, ..) for the tests: what floating point claims of a value and its error; nothing otherwise
 //     PARADT_NO_FRONTS       leaves out InCoDe and DeWall, a tenth of the compiled code; PARADT_AUTO inserts in all
 //                            dimensions, and the other two are PARADT_ERROR_ARGUMENT
 //     PARADT_NO_FLIPS        leaves out PARADT_FLIP and paradt_repair
@@ -268,6 +269,10 @@
 // is made anew, which takes as long as creating it; so is a batch of more than an eighth of the points. Among 10^6
 // points in space an insertion takes about as long as seven points of paradt_triangulate, a removal as eight, a move as
 // both.
+//
+// options.method says how points are located: PARADT_AUTO by a walk; PARADT_DELAUNAY_TREE and PARADT_FLIP by all cells
+// that there were, see METHODS. Then points only come, and a point that comes to the place of a lighter one makes the
+// set anew.
 //
 //
 // QUERIES
