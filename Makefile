@@ -22,7 +22,7 @@ TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),
 ZLIB ?= $(if $(filter clean help,$(MAKECMDGOALS)),,$(shell echo 'int main(void) { return zlibVersion() == 0; }' | \
     $(CC) -include zlib.h -x c -o /dev/null - -lz 2>/dev/null && echo -DPARADT_ZLIB -lz))
 
-.PHONY: all run examples check test faults bench thesis study study-threads theory lib clean help test-programs test-list
+.PHONY: all run examples check test bench thesis study study-threads theory lib clean help fuzz soak faults test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)

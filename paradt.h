@@ -1640,7 +1640,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     holes of vertices            456   the hole where a vertex goes, and wrapping it
 //     filling holes                466   what fills it
 //     past of a living set         245   location by all cells that there were
-//     state of a living set        435   columns, journal, hidden and coincident points
+//     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
 //     changes of a living set      458   one point comes, goes or moves
 //     making a living set          260   the set anew
@@ -1658,7 +1658,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   check
 //     check                        504   the certificate
 //     check of the hull            293   ... and of hidden points
-//     check of a hull              333   that of a hull alone
+//     check of a hull              334   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -10146,10 +10146,9 @@ static paradt_status paradt__insertion_first_cells(paradt__insertion *build) {
 //     the edge a, which is wrong by at most u |N_j|, so that Q is not needed. det is at most 2 * 4 h_x h_y, so a power
 //     that is surely less than quantum / (16 h_x h_y) in size is 0.
 // (11) Near. Near a circle cells are so thin that a bound for all points of the box leaves most powers by sagittas
-// open,
-//     while who asks is as a rule near p. So in the plane a power by sagittas is computed and bounded from there:
-//         power(x) = (g(x) - g(p)) - w . D,   D = s_x - s_p as computed, which is wrong by at most 2.1u h_j + 1.1u
-//         |D_j|.
+//     open, while who asks is as a rule near p. So in the plane a power by sagittas is computed and bounded from there:
+//         power(x) = (g(x) - g(p)) - w . D,
+//     D = s_x - s_p as computed, which is wrong by at most 2.1u h_j + 1.1u |D_j|.
 //     Let K = (P W + sum N_j h_j) / det. g counts twice with its error and, as computed, has 8.3u G, which 64u (G +
 //     E / 16u) covers; the differences count with 2.2u W; the error of w_j by (3), N_j with E / 4u as in (7), counts
 //     with 1.1 |D_j| and 2.2u h_j, and the roundings of terms and sums with 5.2u |w_j D_j|. As det < 1.1 P, that is at
@@ -10201,7 +10200,8 @@ typedef struct paradt__sphere {
     double normal[3], constant;
     double error;    // bound on the error of a power
     paradt__tag tag; // place of the cell, and PARADT__IN_CAVITY
-    double base[2];  // in the plane with sagittas s_p; normal[2] is the slope then. All of it is a cache line, 64 bytes
+    double base[2]; // in the plane with sagittas s_p; normal[2] is the slope then. All of it is a cache line, 64 bytes,
+                    // or less
 } paradt__sphere;
 
 // A point relative to the centre of the box, and its lift: |s|^2, or with sagittas or weights g
@@ -15656,9 +15656,9 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
     paradt_index open[PARADT__JOINED];
     paradt_status status = paradt__facets_begin(&table, 0, 0, memory);
     for (i = 0; i < facets && !status; i++) {
-        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (all->links[i] == PARADT__OPEN) open[count++] = (paradt_index)i;
-        if (count < PARADT__JOINED && i + 1 < facets) continue;
+        if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
+        if (status || (count < PARADT__JOINED && i + 1 < facets)) continue;
         status = paradt__facets_join(&table, all, open, count, 0, memory);
         count = 0;
         if (!status && i % PARADT__PACE < PARADT__JOINED && paradt__meter_cancels(meter))
@@ -25789,7 +25789,7 @@ static paradt_status paradt__past_insert(paradt__past *past, paradt__insertion *
 // ---------------------------------------------------------------------------------------------------------------------
 // >>state of a living set
 //
-// What a living set keeps, and how changes of it are undone.
+// What a living set keeps.
 //
 // All points at one place are one vertex, whose number is a position: its record is records + position * width, as
 // everywhere; column PARADT__OWNER names the point that stands for the place. Positions are along the curve when the
@@ -26849,9 +26849,9 @@ static paradt_status paradt__living_find(paradt_dynamic *d, const double *record
     *fresh = 0;
     *cell = PARADT__NOWHERE;
     if (d->past.method != PARADT_AUTO) {
-        paradt_index near = from < 0 && hint >= 0 ? paradt__living_start(d, record, hint) : from;
-        if (near < 0) near = paradt__insertion_start(&d->build);
-        status = paradt__past_locate(&d->past, scene, near, record, cell);
+        paradt_index start = from < 0 && hint >= 0 ? paradt__living_start(d, record, hint) : from;
+        if (start < 0) start = paradt__insertion_start(&d->build);
+        status = paradt__past_locate(&d->past, scene, start, record, cell);
         if (status || (*cell != PARADT__NOWHERE && (!d->weighted || d->past.method == PARADT_FLIP))) return status;
     }
     if (*cell == PARADT__NOWHERE) *cell = from < 0 ? paradt__living_start(d, record, hint) : from;
@@ -27634,7 +27634,7 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
         return paradt__change_fault(d,
                                     "a set with options.method PARADT_FLIP or PARADT_DELAUNAY_TREE has insertion only");
     if (change->kind != PARADT__INSERTION) status = paradt__change_check_ids(d, change);
-    if (status == PARADT_ERROR_CANCELLED) d->error_text = paradt_status_string(status);
+    if (status && !d->error_text) d->error_text = paradt_status_string(status);
     if (status) return status;
     change->number = one ? &number : (paradt_index *)paradt__alloc(memory, count, sizeof *change->number);
     change->order = one ? keys : (paradt__keyed *)paradt__alloc(memory, count, sizeof *change->order);
@@ -32392,6 +32392,7 @@ static paradt_status paradt__proof_all(paradt__hull_proof *proof, const paradt_p
     if (!status) status = paradt__proof_facets(proof);
     check->phase = PARADT__CHECK_HULL;
     if (!status) status = paradt__proof_points(check);
+    check->phase = PARADT__CHECK_HIDDEN;
     if (!status) status = paradt__proof_lists(proof);
     check->phase = PARADT__CHECK_END;
     return status ? status : paradt__check_pace(check, 0, 1);

@@ -31,8 +31,8 @@ build() { # plain or sanitized
     flags="-g1 -O1 -include tests/asserts.h -I. -DPARADT_FUZZ_LINKED"
     test $manner = plain || flags="$flags -fsanitize=address,undefined -fno-sanitize-recover=all"
     mkdir -p $root/$manner
-    library=$root/$manner/paradt.o
-    if [ -z "$(find $library -newer paradt.h 2>/dev/null)" ]; then
+    library=$root/$manner/paradt_$fuzzer.o
+    if [ -z "$(find $library -newer paradt.h -newer tests/asserts.h 2>/dev/null)" ]; then
         echo '#include "paradt.h"' >$root/paradt.c
         $compiler $flags -fsanitize=fuzzer-no-link -DPARADT_IMPLEMENTATION -c -o $library $root/paradt.c || exit 2
     fi

@@ -204,7 +204,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     in.points.weights = NULL;
     status = paradt_hull_compute(&hull, &in.points, NULL);
     if (in.first_bad >= 0) {
-        if (status == PARADT_ERROR_NOT_FINITE || (!status && (in.w[in.first_bad] != 0))) {
+        if (status == PARADT_ERROR_NOT_FINITE || (!status && !is_finite(in.w[in.first_bad]))) {
             paradt_hull_free(&hull);
             return 0;
         }

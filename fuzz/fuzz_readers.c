@@ -3,7 +3,7 @@
 //     - points that are read have to be finite, of a dimension that is, and as many as are said to be
 //     - what is refused has to have a reason, and no points
 //     - the same bytes read twice have to give the same points; read by their content, they may give others, or none
-// The readers have to give back all memory, which the address sanitizer sees.
+// The readers have to give back all memory, which a replay with the address sanitizer sees.
 //
 // The first two bytes are a header:
 //     0  number of the format in paradt_io_inputs, or by content

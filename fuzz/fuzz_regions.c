@@ -157,23 +157,23 @@ static outcome call(int which, const paradt_triangulation *t, const paradt_point
         paradt_index nearest[MOST_REPEATED];
         o.status = paradt_locator_create(&l, t, points, options);
         o.empty = !l;
-        if (!o.status)
+        if (!o.status) {
             o.status = paradt_nearest(l, points, nearest, options);
+            o.empty = 1; // of the nearest points nothing is kept
+        }
         if (!o.status)
             o.hash = hash_bytes(nearest, points->count * sizeof *nearest);
-        else
-            o.empty = 1;
         paradt_locator_free(l);
     } else if (which == DYNAMIC) {
         paradt_dynamic *d;
         paradt_triangulation u;
         o.status = paradt_dynamic_create(&d, points, options);
         o.empty = !d;
-        if (d && !(o.status = paradt_dynamic_export(d, &u))) {
+        if (!o.status) {
+            o.status = paradt_dynamic_export(d, &u);
             o.hash = paradt_hash(&u);
+            o.empty = u.dim == -1 && !u.cells && !u.neighbors && !u.representative && !u.cell_count;
             paradt_free(&u);
-        } else {
-            o.empty = 1;
         }
         paradt_dynamic_free(d);
     } else if (which == CHECK) {

@@ -14,7 +14,6 @@ c="$common -Wstrict-prototypes -x c"
 . tests/programs/tap.sh
 runner= # the command that runs programs for another processor
 
-
 # builds NAME SHELL-COMMAND: the command must succeed, print nothing, and make the program $work/NAME, whose output must be that of
 # the first program. The programs certify their results by paradt_check.
 expected=

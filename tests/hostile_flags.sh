@@ -65,27 +65,23 @@ uses() {
         return
     fi
     if ! "$@" -I. tests/programs/uses.c -o "$work/$name" -lm >"$work/$name.log" 2>&1; then
-        report "not ok" "$name" "$work/$name.log"
+        report 1 "$name" "$work/$name.log"
         return
     fi
     for mode in plain $modes; do
         test=${name}_$(echo "$mode" | tr + _)
         if [ "$mode" = plain ]; then arguments=; else arguments=$(echo "$mode" | tr + ' '); fi
         # shellcheck disable=SC2086
-        if ! timeout 200 "$work/$name" "$points" -1 $arguments >"$work/$test.out" 2>"$work/$test.log"; then
-            report "not ok" "$test" "$work/$test.log"
+        if ! timeout 200 "$work/$name" "$points" $arguments >"$work/$test.out" 2>"$work/$test.log"; then
+            report 1 "$test" "$work/$test.log"
         elif [ ! -e "$work/uses" ]; then
             mv "$work/$test.out" "$work/uses"
             grep -v ': living done .*, tree done .*, flips done .*, located done .*, nearest done ' "$work/uses" >"$work/$test.log"
-            if [ -s "$work/uses" ] && [ ! -s "$work/$test.log" ] && grep -q 'clipped done ' "$work/uses"; then
-                report ok "$test" ""
-            else
-                report "not ok" "$test" "$work/$test.log"
-            fi
-        elif diff "$work/uses" "$work/$test.out" >"$work/$test.log"; then
-            report ok "$test" ""
+            [ -s "$work/uses" ] && [ ! -s "$work/$test.log" ] && grep -q 'clipped done ' "$work/uses"
+            report $? "$test" "$work/$test.log"
         else
-            report "not ok" "$test" "$work/$test.log"
+            diff "$work/uses" "$work/$test.out" >"$work/$test.log"
+            report $? "$test" "$work/$test.log"
         fi
     done
 }

@@ -88,7 +88,7 @@ if [ -n "$lacking" ] && command -v apt-get >/dev/null 2>&1; then
     lacking=$(missing)
 fi
 if [ -n "$lacking" ]; then
-    echo "Some of it will be skipped. For all of it:  apt-get install $lacking"
+    echo "Without them some of the work is left out:  apt-get install $lacking"
 fi
 
 {

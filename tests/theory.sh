@@ -5,7 +5,6 @@ work=build/tests/theory
 mkdir -p "$work"
 . tests/programs/tap.sh
 
-
 ${CC:-cc} -O2 -Wall -Wextra -Wshadow -Werror -I. -o "$work/theory" tests/bench/theory.c -lm >"$work/log" 2>&1
 report $? the_theory_program_builds_without_warnings "$work/log"
 

@@ -15,31 +15,28 @@
 
 static void enter(const char *mode) {
 #ifdef FE_UPWARD
-    if (!strcmp(mode, "up"))
-        fesetround(FE_UPWARD);
-    else if (!strcmp(mode, "down"))
-        fesetround(FE_DOWNWARD);
-    else if (!strcmp(mode, "zero"))
-        fesetround(FE_TOWARDZERO);
-    else
+    if (!strcmp(mode, "up") || !strcmp(mode, "down") || !strcmp(mode, "zero")) {
+        fesetround(mode[0] == 'u' ? FE_UPWARD : mode[0] == 'd' ? FE_DOWNWARD : FE_TOWARDZERO);
+        return;
+    }
 #endif
 #if defined(__SSE__) && !defined(__TINYC__)
-        if (!strcmp(mode, "ftz"))
+    if (!strcmp(mode, "ftz")) {
         _mm_setcsr(_mm_getcsr() | 0x8040u);
-    else
+        return;
+    }
 #endif
 #if defined(__i386__) && !defined(__TINYC__)
-        if (!strcmp(mode, "single") || !strcmp(mode, "double")) {
+    if (!strcmp(mode, "single") || !strcmp(mode, "double")) {
         unsigned short control;
         __asm__ volatile("fnstcw %0" : "=m"(control));
         control = (unsigned short)((control & ~0x300u) | (mode[0] == 'd' ? 0x200u : 0u));
         __asm__ volatile("fldcw %0" : : "m"(control));
-    } else
-#endif
-    {
-        fprintf(stderr, "this build has no mode %s\n", mode);
-        exit(2);
+        return;
     }
+#endif
+    fprintf(stderr, "this build has no mode %s\n", mode);
+    exit(2);
 }
 
 static void *get(FILE *file, size_t size) {

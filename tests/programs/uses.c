@@ -1,8 +1,7 @@
 // Prints, for every small sample in a file, what comes of a living set whose points come, move and go, of locating, of nearest
 // points, and of Voronoi diagrams: what is decided, not the numbers. The output must be the same when it is built with flags, or
 // run in modes, that break careless floating-point code.
-// Usage: uses FILE SHARE [MODE...]
-//   SHARE            ignored: all lines are printed
+// Usage: uses FILE [MODE...]
 //   MODE             see modes.h
 #ifndef USES_LINKED // else the implementation is in another object
 #define PARADT_IMPLEMENTATION
@@ -142,12 +141,12 @@ int main(int argc, char **argv) {
     int32_t head[4];
     FILE *file = argc > 1 ? fopen(argv[1], "rb") : NULL;
     int i;
-    if (!file || argc < 3) {
-        fprintf(stderr, "usage: uses FILE SHARE [MODE...]\n");
+    if (!file) {
+        fprintf(stderr, "usage: uses FILE [MODE...]\n");
         return 2;
     }
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // if the run is stopped, the output shows where
-    for (i = 3; i < argc; i++)
+    for (i = 2; i < argc; i++)
         enter(argv[i]);
     while (fread(head, sizeof head, 1, file) == 1) {
         char *name = (char *)get(file, 96);
