@@ -1549,7 +1549,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   ground
 //     memory                       189   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
-//     tasks                        196   progress, teams, pauses, the clock
+//     tasks                        197   progress, teams, pauses, the clock
 //   predicates
 //     space                        298   what the predicates know of a set
 //     filters                      222   signs in floating point, with error bounds
@@ -1644,7 +1644,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     journal of a living set      337   how changes are noted and undone
 //     changes of a living set      458   one point comes, goes or moves
 //     making a living set          260   the set anew
-//     living set                   452   what changes it: one point, many points
+//     living set                   454   what changes it: one point, many points
 //     reading a living set         259   cells, stars, places and what is nearest, without a change
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
@@ -2231,6 +2231,7 @@ enum { PARADT__REPORT_STEP = 1024 }; // cells or insertions between two reports 
 typedef struct paradt__meter {
     paradt_progress call; // NULL: none
     void *user;
+    double before; // 0..1, what was reported before this work began: it is to be done in another way
     uint32_t done; // of PARADT__ALL_DONE
     int calling;   // 1: a thread is in the callback
     int cancelled;
@@ -2253,7 +2254,7 @@ static void paradt__meter_begin(paradt__meter *meter, const paradt_options *opti
 // Returns the part of the work that is done: 0..1
 static double paradt__meter_done(const paradt__meter *meter) {
     double done = (double)PARADT__ATOMIC_LOAD(&meter->done) / (double)PARADT__ALL_DONE;
-    return done < 1.0 ? done : 1.0;
+    return done < 1.0 ? meter->before + done * (1.0 - meter->before) : 1.0;
 }
 
 // Calls the callback. Returns 1 when the call is to end.
@@ -27400,6 +27401,7 @@ static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__cen
     if (silent) options.progress = NULL;
     fresh = paradt__living_new(&options, &d->memory, d->ambient, d->weighted);
     if (!fresh) return PARADT_ERROR_MEMORY;
+    fresh->meter.before = paradt__meter_done(&d->meter);
     points.data = c->x;
     points.weights = d->weighted ? c->weights : NULL;
     status = paradt__living_make(fresh, &points, c->id, c->ids);
@@ -27585,6 +27587,7 @@ static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *
         default: status = paradt__living_move(d, id, record);
         }
     }
+    if (!status && change->count >= PACE && paradt__progress_cancels(&progress, 1.0)) status = PARADT_ERROR_CANCELLED;
     return status;
 }
 

@@ -1002,6 +1002,32 @@ static void progress_of_creating_never_falls(void **state) {
     }
 }
 
+// A batch ends with 1. One whose last points leave the plane of the others is given up when they come, and the set made anew.
+static void progress_of_a_batch_never_falls(void **state) {
+    enum { BEFORE = 3000, BATCH = 300 };
+    (void)state;
+    for (int leave = 0; leave < 2; leave++) {
+        sample s = family_make(&families[family_named("uniform")], NULL, 3, BEFORE + BATCH, 1);
+        paradt_options options = {0};
+        paradt_dynamic_info info;
+        paradt_dynamic *d;
+        double last = 0;
+        for (int i = 0; i < s.count; i++)
+            s.x[3 * i + 2] = leave && i >= BEFORE && s.x[3 * i] > 0.9 && s.x[3 * i + 1] > 0.9;
+        paradt_points points = paradt_points_f64(s.x, BEFORE, 3), batch = paradt_points_f64(s.x + 3 * BEFORE, BATCH, 3);
+        options.progress = progress_never_falls;
+        options.user = &last;
+        assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_OK);
+        last = 0;
+        assert_int_equal(paradt_dynamic_insert_points(d, &batch, NULL), PARADT_OK);
+        paradt_dynamic_get_info(d, &info);
+        assert_int_equal(info.dim, 2 + leave);
+        assert_true(last >= 1);
+        paradt_dynamic_free(d);
+        sample_free(&s);
+    }
+}
+
 // Many changes in a row; SOAK says how many.
 static void soak(void **state) {
     const char *wanted = getenv("SOAK");
@@ -1052,6 +1078,7 @@ int main(void) {
                                 "vertices_on_the_hull_are_found_from_anywhere");
     tests[count++] = named_test(killed_cells_have_the_ids_that_they_had, NULL, "killed_cells_have_the_ids_that_they_had");
     tests[count++] = named_test(progress_of_creating_never_falls, NULL, "progress_of_creating_never_falls");
+    tests[count++] = named_test(progress_of_a_batch_never_falls, NULL, "progress_of_a_batch_never_falls");
     tests[count++] = named_test(soak, NULL, "soak");
     return run_named_tests("dynamic", tests, count);
 }
