@@ -1643,7 +1643,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
 //     changes of a living set      458   one point comes, goes or moves
-//     making a living set          260   the set anew
+//     making a living set          262   the set anew
 //     living set                   454   what changes it: one point, many points
 //     reading a living set         259   cells, stars, places and what is nearest, without a change
 //     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
@@ -27250,6 +27250,7 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     options.flags = PARADT_FACETS;
     paradt__begin_call(&work, &stats, &out, points, &options);
     work.memory = d->memory;
+    work.meter.before = d->meter.before;
     status = paradt__load(&work, points, &out);
     d->error_point = out.error_point;
     regions = work.regions;
@@ -27272,6 +27273,7 @@ static paradt_status paradt__living_make(paradt_dynamic *d, const paradt_points 
     if (!status) status = paradt__living_number(d, out.representative, points->count, ids, id_count);
     d->meter.done = PARADT__ALL_DONE; // what is left takes a small part of the time
     if (!status) status = paradt__living_complete(d);
+    if (!status && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
     paradt__set_free(&work.set, &d->memory);
     paradt__release(&d->memory, out.representative);
     return status;
