@@ -1640,15 +1640,15 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     changes of a living set      458   one point comes, goes or moves; the set anew
 //     making a living set          260   the set anew
 //     living set                   707   the entry
-//     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
+//     diagram                      277   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
-//     Voronoi vertices             158   centres of cells, and their errors
-//     Voronoi faces                490   faces and volumes that nothing clips
-//     planes of a cell             329   where planes meet, in integers
-//     clipped cell                 552   a cell as planes and vertices, in any dimension
+//     Voronoi vertices             156   centres of cells, and their errors
+//     Voronoi faces                493   faces and volumes that nothing clips
+//     planes of a cell             326   where planes meet, in integers
+//     clipped cell                 553   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   261   volumes, areas, centroids
 //     clipping                     482   all cells that walls or infinity clip
-//     Voronoi                      654   the entry
+//     Voronoi                      671   the entry
 //   check
 //     check                        504   the certificate
 //     check of the hull            293   ... and of hidden points
@@ -27984,11 +27984,11 @@ PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_t
 // the rest.
 //
 // A flat cell's centre may be beyond all doubles, and so may what is computed of it. Such places have an error that is
-// no bound, PARADT__NO_BOUND, and a wall that scaling has changed says so. No comparison decides of them: exponents
-// and flags are looked at first, for with -ffast-math compilers assume that nothing is infinite or NaN.
-// Doors: struct paradt__diagram, PARADT__ROW_BYTES, PARADT__NO_BOUND, paradt__row_vertices, paradt__row_centre,
-// paradt__diagram_point, paradt__diagram_bounds, paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_plane,
-// paradt__diagram_meet, paradt__diagram_above.
+// no bound, PARADT__UNKNOWN_ERROR, and a wall that scaling has changed says so. No comparison decides of them:
+// exponents and flags are looked at first, for with -ffast-math compilers assume that nothing is infinite or NaN.
+// Doors: struct paradt__diagram, PARADT__ROW_BYTES, paradt__row_vertices, paradt__row_centre, paradt__diagram_point,
+// paradt__diagram_bounds, paradt__diagram_nearest_error, paradt__diagram_bisector, paradt__diagram_wall,
+// paradt__diagram_plane, paradt__diagram_meet, paradt__diagram_above.
 
 // What is known of a point, bits
 enum {
@@ -28058,7 +28058,8 @@ PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, par
     return g->scaled + (size_t)point * g->set.width;
 }
 
-#define PARADT__NO_BOUND paradt__power(1000)
+// The error of a place of which floating point may know nothing
+#define PARADT__UNKNOWN_ERROR paradt__power(1000)
 
 // Is a place's error a bound? Then its coordinates are below 2^962, so that no product of them with a plane overflows.
 PARADT__INLINE int paradt__diagram_bounds(double error) {
@@ -28070,7 +28071,7 @@ PARADT__INLINE double paradt__diagram_nearest_error(const double *place, int d, 
     double largest = 0;
     int j;
     for (j = 0; j < d; j++) {
-        if (!paradt__diagram_bounds(place[j])) return PARADT__NO_BOUND;
+        if (!paradt__diagram_bounds(place[j])) return PARADT__UNKNOWN_ERROR;
         largest = paradt__larger(largest, paradt__abs(place[j]));
     }
     return PARADT__ROUNDOFF * largest + tiny;
@@ -28210,7 +28211,7 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
     }
     det = paradt__abs(n[d]);
     det_error = det_factor * size[d] + g->tiny;
-    y[d] = PARADT__NO_BOUND;
+    y[d] = PARADT__UNKNOWN_ERROR;
     if (!(det > 2 * det_error)) {
         for (j = 0; j < d; j++) y[j] = 0;
         return 0;

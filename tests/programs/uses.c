@@ -102,8 +102,12 @@ static int is_less(double a, double b) {
     return x >> 63 ? x > y : x < y;
 }
 
-// Which points share faces, and which cells are unbounded: of the whole diagram, and clipped to a box with two points at corners
-static void print_voronoi(const paradt_triangulation *t, const paradt_points *points, const double *x, int clipped) {
+enum { WHOLE, CLIPPED, CUT };
+
+// Which points share faces, how many corners these have, and which cells are unbounded: of the whole diagram, clipped to a box
+// with two points at corners, and cut by a plane of numbers that are coordinates
+static void print_voronoi(const paradt_triangulation *t, const paradt_points *points, const double *x, int by) {
+    static const char *const names[] = {", Voronoi", ", clipped", ", cut"};
     paradt_voronoi_request request;
     paradt_voronoi v;
     paradt_status status;
@@ -112,24 +116,28 @@ static void print_voronoi(const paradt_triangulation *t, const paradt_points *po
     size_t i;
     int k;
     memset(&request, 0, sizeof request);
-    request.outputs = PARADT_VORONOI_FACES;
+    request.outputs = PARADT_VORONOI_FACES | PARADT_VORONOI_POLYGONS;
     for (k = 0; k < points->dim; k++) {
         double low = x[k], high = x[points->dim + k];
         int ordered = is_less(low, high);
         box[k] = ordered ? low : high;
         box[points->dim + k] = ordered ? high : low;
     }
-    if (clipped)
+    if (by == CLIPPED)
         request.box = box;
+    if (by == CUT) {
+        request.planes = x + 3 * points->dim;
+        request.plane_count = 1;
+    }
     status = paradt_voronoi_compute(&v, t, points, &request, NULL);
     for (i = 0; i < v.face_count && !status; i++) {
         sides[0] = (uint64_t)v.sides[2 * i];
         sides[1] = (uint64_t)(int64_t)v.sides[2 * i + 1];
-        hash += paradt_hash_cell(sides, 2);
+        hash += paradt_hash_cell(sides, 2) * (2 * (v.first_vertex[i + 1] - v.first_vertex[i]) + 1);
     }
     for (i = 0; i < v.cell_count && !status; i++)
         hash = hash * 31 + v.unbounded[i];
-    print_number(clipped ? ", clipped" : ", Voronoi", status, hash);
+    print_number(names[by], status, hash + v.vertex_count);
     paradt_voronoi_free(&v);
 }
 
@@ -162,8 +170,9 @@ int main(int argc, char **argv) {
             print_living(x, weights, most, head[0], PARADT_DELAUNAY_TREE, paradt_hash(&t));
             print_living(x, weights, most, head[0], PARADT_FLIP, paradt_hash(&t));
             print_queries(&t, &points, x);
-            print_voronoi(&t, &points, x, 0);
-            print_voronoi(&t, &points, x, 1);
+            print_voronoi(&t, &points, x, WHOLE);
+            print_voronoi(&t, &points, x, CLIPPED);
+            print_voronoi(&t, &points, x, CUT);
             printf("\n");
             paradt_free(&t);
         }
