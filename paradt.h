@@ -1625,7 +1625,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     repair                       524   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
-//     starting cells               285   a vertex near any place
+//     starting cells               286   a vertex near any place
 //     distances                    162   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    195   a vertex to its cells and its neighbours, edges
@@ -1640,7 +1640,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     changes of a living set      458   one point comes, goes or moves; the set anew
 //     making a living set          260   the set anew
 //     living set                   707   the entry
-//     diagram                      277   what Voronoi diagrams are made of; planes, where they meet
+//     diagram                      279   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             156   centres of cells, and their errors
 //     Voronoi faces                493   faces and volumes that nothing clips
@@ -1648,7 +1648,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     clipped cell                 553   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   261   volumes, areas, centroids
 //     clipping                     482   all cells that walls or infinity clip
-//     Voronoi                      671   the entry
+//     Voronoi                      673   the entry
 //   check
 //     check                        504   the certificate
 //     check of the hull            293   ... and of hidden points
@@ -22889,7 +22889,8 @@ PARADT__OPTIONAL void paradt__starts_free(paradt__starts *starts, paradt__memory
 
 // The bucket of a place, counted from the first. There is a grid.
 PARADT__INLINE size_t paradt__starts_bucket(const paradt__starts *starts, const double *x, int dim) {
-    const double most = 1 - 0.5 * PARADT__ROUNDOFF;
+    // the largest number below 1, so that no product with a power of two is rounded up to it
+    const double most = paradt__precise() ? 1 - 0.5 * PARADT__ROUNDOFF : 1 - 5.9604644775390625e-8;
     const paradt__start_grid *grid = starts->grids;
     double part[PARADT_MAX_DIM];
     int axis;
@@ -28020,6 +28021,7 @@ typedef struct paradt__diagram {
     int centred;          // the triangulation is as wide as space, of two or three dimensions
     const double *scaled; // [set.count][set.width] what floating point works with; set.records where shift is 0
     int shift;
+    int imprecise;               // arithmetic has too few digits for any bound: nothing is decided by it
     double tiny;                 // more than what underflow adds to a determinant
     paradt__voronoi_wall *walls; // [wall_count] 2 d bounds of the box, then planes
     size_t wall_count;
@@ -28067,11 +28069,11 @@ PARADT__INLINE int paradt__diagram_bounds(double error) {
 }
 
 // Returns the error of a place whose coordinates are each the double nearest to the true one. tiny: added to it
-PARADT__INLINE double paradt__diagram_nearest_error(const double *place, int d, double tiny) {
+PARADT__INLINE double paradt__diagram_nearest_error(const paradt__diagram *g, const double *place, double tiny) {
     double largest = 0;
     int j;
-    for (j = 0; j < d; j++) {
-        if (!paradt__diagram_bounds(place[j])) return PARADT__UNKNOWN_ERROR;
+    for (j = 0; j < g->d; j++) {
+        if (g->imprecise || !paradt__diagram_bounds(place[j])) return PARADT__UNKNOWN_ERROR;
         largest = paradt__larger(largest, paradt__abs(place[j]));
     }
     return PARADT__ROUNDOFF * largest + tiny;
@@ -28096,7 +28098,8 @@ PARADT__INLINE void paradt__diagram_bisector(const paradt__diagram *g, paradt_in
     h->offset *= 0.5;
     h->size = h->size * 0.5 + g->tiny;
     h->side = q;
-    h->distant = h->inexact = 0;
+    h->distant = 0;
+    h->inexact = g->imprecise;
 }
 
 // Wall number `wall` as a plane of the cell of p
@@ -28429,7 +28432,7 @@ PARADT__NOINLINE int paradt__centre_exact(const paradt__diagram *g, const paradt
     for (i = 0; i < d; i++) {
         if (g->shift && paradt__is_finite(centre[i])) centre[i] = paradt__scale(centre[i], -g->shift, &exact);
     }
-    centre[d] = paradt__diagram_nearest_error(centre, d, g->tiny);
+    centre[d] = paradt__diagram_nearest_error(g, centre, g->tiny);
     return 1;
 }
 
@@ -28454,7 +28457,7 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
         largest = paradt__larger(largest, paradt__abs(centre[i]));
     }
     centre[d] = y[d] + PARADT__ROUNDOFF * largest;
-    if (known || y[d] <= 32 * PARADT__ROUNDOFF * largest) return 1;
+    if (!g->imprecise && (known || y[d] <= 32 * PARADT__ROUNDOFF * largest)) return 1;
     return paradt__centre_exact(g, vertices, centre);
 }
 
@@ -29368,7 +29371,7 @@ PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__dia
         quotient.sum = work->sum;
         y[j] = quotient.a_sign ? paradt__quotient_round(&quotient) : 0;
     }
-    y[d] = paradt__diagram_nearest_error(y, d, paradt__power(-1021));
+    y[d] = paradt__diagram_nearest_error(g, y, paradt__power(-1021));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -30804,6 +30807,7 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
         for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
         if (!wall->distant) top = paradt__max(top, paradt__voronoi_top(wall->offset) - largest + 1);
     }
+    g->imprecise = !paradt__precise();
     top = paradt__min(top, 1100);
     g->shift = top < -4000 || (top >= -20 && top <= 40) ? 0 : top;
     top = paradt__max(top - g->shift, 0) + 2;
@@ -30813,7 +30817,7 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
         paradt__voronoi_wall *wall = g->walls + i;
         int largest = -4000;
         for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
-        exact = paradt__precise();
+        exact = !g->imprecise;
         if (wall->axis >= 0) largest = 0;
         for (j = 0; j < d; j++) wall->scaled_normal[j] = paradt__scale(wall->normal[j], -largest, &exact);
         wall->scaled_offset = paradt__scale(wall->offset, -largest - g->shift, &exact);
@@ -30892,10 +30896,10 @@ static double paradt__voronoi_unscale(const paradt__diagram *g, double value, in
     return value;
 }
 
-// Are a cell's volume and its error, in scaled coordinates, so small that nothing has overflowed? Directed rounding may
-// have made the largest double of what did, and a division something less.
-PARADT__INLINE int paradt__voronoi_is_small(const double *sums) {
-    return paradt__biased_exponent(sums[0]) < 1023 + 1000 && paradt__biased_exponent(sums[1]) < 1023 + 1000;
+// Is a volume or its error, in scaled coordinates, so small that nothing has overflowed? Directed rounding may have
+// made the largest double of what did, and a division something less.
+PARADT__INLINE int paradt__voronoi_is_small(double sum) {
+    return paradt__biased_exponent(sum) < 1023 + 1000;
 }
 
 // Hands over what was summed up for the cells.
@@ -30918,9 +30922,10 @@ PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, para
         size_t to = paradt__voronoi_index(g, i);
         int infinite = work->unbounded[i];
         double volume = infinite ? HUGE_VAL : sums[0], error = infinite ? 0 : sums[1];
-        if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
+        if (g->imprecise && paradt__bits(error)) error = HUGE_VAL;
+        else if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
         // beyond all doubles, or of vertices that may be: the largest one, and no bound
-        if (!infinite && !paradt__voronoi_is_small(sums))
+        if (!infinite && !(paradt__voronoi_is_small(sums[0]) && (g->imprecise || paradt__voronoi_is_small(sums[1]))))
             volume = paradt__from_bits(UINT64_C(0x7fefffffffffffff)), error = HUGE_VAL;
         double scaled = volume;
         if (out->volumes) {
@@ -31013,7 +31018,7 @@ PARADT__HOT paradt_status paradt__voronoi_clip(paradt__voronoi_work *work) {
         again[i] = (g->kind[i] & PARADT__CELL_CLIPPED) != 0;
         if (g->kind[i] == PARADT__CELL_THERE && work->tally.sums) { // and not clipped
             const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
-            again[i] = !paradt__voronoi_is_small(sums) || !(sums[0] > sums[1]);
+            again[i] = !(paradt__voronoi_is_small(sums[0]) && paradt__voronoi_is_small(sums[1]) && sums[0] > sums[1]);
         }
     }
     status = paradt__clip_all(g, &team, work->wants, again, &work->tally, work->unbounded,
