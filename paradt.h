@@ -1630,7 +1630,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     repair                       524   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
-//     starting cells               285   a vertex near any place
+//     starting cells               286   a vertex near any place
 //     distances                    162   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    195   a vertex to its cells and its neighbours, edges
@@ -1642,19 +1642,19 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      458   one point comes, goes or moves
-//     making a living set          262   the set anew
-//     living set                   454   what changes it: one point, many points
+//     changes of a living set      458   one point comes, goes or moves; the set anew
+//     making a living set          260   the set anew
+//     living set                   707   the entry
 //     reading a living set         259   cells, stars, places and what is nearest, without a change
-//     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
+//     diagram                      279   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
-//     Voronoi vertices             158   centres of cells, and their errors
-//     Voronoi faces                490   faces and volumes that nothing clips
-//     planes of a cell             329   where planes meet, in integers
-//     clipped cell                 552   a cell as planes and vertices, in any dimension
+//     Voronoi vertices             156   centres of cells, and their errors
+//     Voronoi faces                493   faces and volumes that nothing clips
+//     planes of a cell             326   where planes meet, in integers
+//     clipped cell                 553   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   261   volumes, areas, centroids
 //     clipping                     482   all cells that walls or infinity clip
-//     Voronoi                      654   the entry
+//     Voronoi                      673   the entry
 //   check
 //     check                        504   the certificate
 //     check of the hull            293   ... and of hidden points
@@ -22906,7 +22906,8 @@ PARADT__OPTIONAL void paradt__starts_free(paradt__starts *starts, paradt__memory
 
 // The bucket of a place, counted from the first. There is a grid.
 PARADT__INLINE size_t paradt__starts_bucket(const paradt__starts *starts, const double *x, int dim) {
-    const double most = 1 - 0.5 * PARADT__ROUNDOFF;
+    // the largest number below 1, so that no product with a power of two is rounded up to it
+    const double most = paradt__precise() ? 1 - 0.5 * PARADT__ROUNDOFF : 1 - 5.9604644775390625e-8;
     const paradt__start_grid *grid = starts->grids;
     double part[PARADT_MAX_DIM];
     int axis;
@@ -28007,8 +28008,13 @@ PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_t
 // A cell without bounds on an axis is clipped by a far wall there, at the distance M from p, where M stands for a
 // number larger than all others: a vertex is y = A + M B, and what is decided of M decides before what is decided of
 // the rest.
+//
+// A flat cell's centre may be beyond all doubles, and so may what is computed of it. Such places have an error that is
+// no bound, PARADT__UNKNOWN_ERROR, and a wall that scaling has changed says so. No comparison decides of them:
+// exponents and flags are looked at first, for with -ffast-math compilers assume that nothing is infinite or NaN.
 // Doors: struct paradt__diagram, PARADT__ROW_BYTES, paradt__row_vertices, paradt__row_centre, paradt__diagram_point,
-// paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_plane, paradt__diagram_meet, paradt__diagram_above.
+// paradt__diagram_bounds, paradt__diagram_nearest_error, paradt__diagram_bisector, paradt__diagram_wall,
+// paradt__diagram_plane, paradt__diagram_meet, paradt__diagram_above.
 
 // What is known of a point, bits
 enum {
@@ -28023,7 +28029,7 @@ enum { PARADT__DIAGRAM_PACE = 1 << 12 }; // cells between two looks at whether t
 typedef struct paradt__voronoi_wall {
     double normal[PARADT_MAX_DIM], offset;
     double scaled_normal[PARADT_MAX_DIM], scaled_offset; // the same plane in scaled coordinates
-    int inexact;                                         // scaling lost bits
+    int inexact;                                         // scaling lost bits, or the offset is beyond the scale
     int axis;                                            // of a bound of the box: its axis; else -1
     int distant;                                         // the box has no bound there
 } paradt__voronoi_wall;
@@ -28040,6 +28046,7 @@ typedef struct paradt__diagram {
     int centred;          // the triangulation is as wide as space, of two or three dimensions
     const double *scaled; // [set.count][set.width] what floating point works with; set.records where shift is 0
     int shift;
+    int imprecise;               // arithmetic has too few digits for any bound: nothing is decided by it
     double tiny;                 // more than what underflow adds to a determinant
     paradt__voronoi_wall *walls; // [wall_count] 2 d bounds of the box, then planes
     size_t wall_count;
@@ -28056,6 +28063,7 @@ typedef struct paradt__halfspace {
     double offset, size;           // the offset errs by PARADT__OFFSET_ROUNDINGS roundoffs of `size` at most
     paradt_index side;             // a point; -1 - k: wall k
     int distant;                   // a far wall: its offset is M
+    int inexact;                   // nothing is known of the errors
 } paradt__halfspace;
 
 // A square of a difference has been rounded three times, the sum of d squares d - 1 times, and a difference of weights
@@ -28075,6 +28083,25 @@ PARADT__INLINE double *paradt__row_centre(const paradt_index *vertices, int d) {
 
 PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, paradt_index point) {
     return g->scaled + (size_t)point * g->set.width;
+}
+
+// The error of a place of which floating point may know nothing
+#define PARADT__UNKNOWN_ERROR paradt__power(1000)
+
+// Is a place's error a bound? Then its coordinates are below 2^962, so that no product of them with a plane overflows.
+PARADT__INLINE int paradt__diagram_bounds(double error) {
+    return paradt__biased_exponent(error) < 1023 + 960;
+}
+
+// Returns the error of a place whose coordinates are each the double nearest to the true one. tiny: added to it
+PARADT__INLINE double paradt__diagram_nearest_error(const paradt__diagram *g, const double *place, double tiny) {
+    double largest = 0;
+    int j;
+    for (j = 0; j < g->d; j++) {
+        if (g->imprecise || !paradt__diagram_bounds(place[j])) return PARADT__UNKNOWN_ERROR;
+        largest = paradt__larger(largest, paradt__abs(place[j]));
+    }
+    return PARADT__ROUNDOFF * largest + tiny;
 }
 
 // The plane between p and q. Its offset is a sum of at most eight squares of differences and of two weights.
@@ -28097,6 +28124,7 @@ PARADT__INLINE void paradt__diagram_bisector(const paradt__diagram *g, paradt_in
     h->size = h->size * 0.5 + g->tiny;
     h->side = q;
     h->distant = 0;
+    h->inexact = g->imprecise;
 }
 
 // Wall number `wall` as a plane of the cell of p
@@ -28113,7 +28141,7 @@ static void paradt__diagram_wall(const paradt__diagram *g, paradt_index p, size_
     h->offset = wall->scaled_offset - dot;
     h->size = wall->axis >= 0 ? paradt__abs(h->offset) : paradt__abs(wall->scaled_offset) + size;
     h->size += g->tiny;
-    if (wall->inexact) h->size = HUGE_VAL;
+    h->inexact = wall->inexact;
     if (wall->distant) h->offset = 0, h->size = g->tiny;
     h->side = -1 - (paradt_index)number;
     h->distant = wall->distant;
@@ -28156,7 +28184,8 @@ static void paradt__diagram_minors(const paradt__halfspace *const *h, int d, int
 }
 
 // Finds where d planes meet: y[d], and in y[d] a bound of the coordinates' error. distant: of y = A + M B finds B
-// instead of A. Returns 0 where floating point has too few digits.
+// instead of A. Returns 0 where floating point has too few digits. None of the planes is inexact; so a determinant is
+// below 2^950 g->tiny, and no quotient overflows.
 //
 // A determinant is a sum of monomials, each of d entries. Each entry has been rounded once, an offset
 // PARADT__OFFSET_ROUNDINGS times relative to its size; then there are two roundings for d = 2, five for d = 3, and less
@@ -28210,7 +28239,7 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
     }
     det = paradt__abs(n[d]);
     det_error = det_factor * size[d] + g->tiny;
-    y[d] = HUGE_VAL;
+    y[d] = PARADT__UNKNOWN_ERROR;
     if (!(det > 2 * det_error)) {
         for (j = 0; j < d; j++) y[j] = 0;
         return 0;
@@ -28232,6 +28261,7 @@ PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt_
     double value = distant ? 0 : -h->offset, size = distant ? 0 : PARADT__OFFSET_ROUNDINGS(d) * h->size, sum = 0, error;
     double reach = 1; // what underflow has made of a normal is multiplied by y
     int j;
+    if (h->inexact || !paradt__diagram_bounds(y[d])) return PARADT__UNDECIDED;
     for (j = 0; j < d; j++) {
         reach += paradt__abs(y[j]);
         value += h->normal[j] * y[j];
@@ -28411,7 +28441,7 @@ PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_
 // Computes the centre of a cell from integers. Returns 0 if the cell is flat.
 PARADT__NOINLINE int paradt__centre_exact(const paradt__diagram *g, const paradt_index *vertices, double *centre) {
     const double *p[PARADT_MAX_DIM + 1];
-    double w[PARADT_MAX_DIM + 1], radius2, largest = 0;
+    double w[PARADT_MAX_DIM + 1], radius2;
     int d = g->d, i, exact = 1;
     paradt__face face;
     paradt__sphere_of sphere;
@@ -28426,10 +28456,8 @@ PARADT__NOINLINE int paradt__centre_exact(const paradt__diagram *g, const paradt
     (void)radius2;
     for (i = 0; i < d; i++) {
         if (g->shift && paradt__is_finite(centre[i])) centre[i] = paradt__scale(centre[i], -g->shift, &exact);
-        largest = paradt__larger(largest, paradt__abs(centre[i]));
     }
-    centre[d] = largest * PARADT__ROUNDOFF + g->tiny;
-    if (!(largest < paradt__power(1000))) centre[d] = HUGE_VAL;
+    centre[d] = paradt__diagram_nearest_error(g, centre, g->tiny);
     return 1;
 }
 
@@ -28454,7 +28482,7 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
         largest = paradt__larger(largest, paradt__abs(centre[i]));
     }
     centre[d] = y[d] + PARADT__ROUNDOFF * largest;
-    if (known || y[d] <= 32 * PARADT__ROUNDOFF * largest) return 1;
+    if (!g->imprecise && (known || y[d] <= 32 * PARADT__ROUNDOFF * largest)) return 1;
     return paradt__centre_exact(g, vertices, centre);
 }
 
@@ -28462,7 +28490,7 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
 PARADT__INLINE int paradt__centre_is_inside(const paradt__diagram *g, const double *centre, int d) {
     size_t i = 0;
     double bound = 2 * centre[d] + g->tiny;
-    int j, inside = 1;
+    int j, inside = paradt__diagram_bounds(centre[d]);
     for (; i < 2 * (size_t)d && i < g->wall_count; i++) { // of the box
         const paradt__voronoi_wall *wall = g->walls + i;
         double x = centre[wall->axis];
@@ -28549,7 +28577,7 @@ PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int 
     int j, differ = 0;
     PARADT__UNROLL
     for (j = 0; j < d; j++) differ |= paradt__abs(a[j] - b[j]) * (1 - 4 * PARADT__ROUNDOFF) > error;
-    return differ;
+    return differ & paradt__diagram_bounds(error);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -28562,7 +28590,8 @@ PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int 
 // to the first cell around it, and a mark at each cell tells which of its edges are done.
 //
 // A face is there if it has d different vertices: these are corners of a convex polygon, so that three are not in a
-// line. Most have a measure beyond its error; otherwise the spheres of neighbouring cells are compared exactly.
+// line. Most have a measure beyond its error; otherwise, and if that may have overflowed, the spheres of neighbouring
+// cells are compared exactly.
 //
 // Errors. Let the vertices of a polygon with m corners err by at most e in each coordinate, and let s be the largest
 // coordinate of a difference to the first of them. A difference errs by 2 e + u s, u the roundoff, so a coordinate of
@@ -28816,9 +28845,10 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
     paradt_index p = vertices[paradt__ring_edges[edge][0]], q = vertices[paradt__ring_edges[edge][1]];
     const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
     const double *first = paradt__row_centre(vertices, 3);
+    const double most = paradt__power(450); // of squares of such numbers nothing overflows
     double normal[3], where[3] = {0}, measure, step, error;
     paradt__ring ring;
-    int j, turns;
+    int j, turns, certain;
     for (j = 0; j < 3; j++) normal[j] = to[j] - from[j];
     if (!paradt__ring_walk(g, facing->done, begin, end, cell, edge, normal, &ring, moments)) return PARADT_OK;
     turns = ring.corners - 2;
@@ -28828,7 +28858,8 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
         turns * (4 * ring.size * step + 2 * step * step + (16 + 2 * turns) * PARADT__ROUNDOFF * ring.size * ring.size) +
         g->tiny;
     error *= 0.5 * (paradt__abs(normal[0]) + paradt__abs(normal[1]) + paradt__abs(normal[2]));
-    if (!(measure > error) && paradt__ring_changes(g, space, cell, edge) < 3) return PARADT_OK;
+    certain = ring.size < most && ring.error < most && measure > error;
+    if (!certain && paradt__ring_changes(g, space, cell, edge) < 3) return PARADT_OK;
     for (j = 0; j < 3 && moments; j++) where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
     if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 3);
     if (!list) return PARADT_OK;
@@ -29325,7 +29356,6 @@ PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__dia
     paradt__integer determinant, numerator;
     int d = g->d, j, digits;
     size_t used, more;
-    double largest = 0;
     paradt__exact_begin(&rows, g, p, d, planes);
     digits = paradt__digit_count(rows.bits);
     for (j = 0; j <= d; j++) y[j] = 0;
@@ -29365,10 +29395,8 @@ PARADT__COLD void paradt__exact_meet(paradt__exact_work *work, const paradt__dia
         quotient.work = work->digits + more;
         quotient.sum = work->sum;
         y[j] = quotient.a_sign ? paradt__quotient_round(&quotient) : 0;
-        largest = paradt__larger(largest, paradt__abs(y[j]));
     }
-    y[d] = PARADT__ROUNDOFF * largest + paradt__power(-1022);
-    if (!(largest < paradt__power(1000))) y[d] = HUGE_VAL;
+    y[d] = paradt__diagram_nearest_error(g, y, paradt__power(-1021));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -29478,14 +29506,15 @@ static paradt_status paradt__convex_plane_room(paradt__convex *c) {
 PARADT__INLINE void paradt__convex_find(paradt__convex *c, size_t vertex, int d) {
     const paradt__halfspace *h[PARADT_MAX_DIM];
     double *y = paradt__convex_place(c, vertex);
-    int i, distant = 0;
+    int i, distant = 0, inexact = 0;
     for (i = 0; i < d; i++) {
         h[i] = paradt__convex_plane(c, vertex, i);
         distant |= h[i]->distant;
+        inexact |= h[i]->inexact;
     }
     c->distant[vertex] = (unsigned char)distant;
-    if (!paradt__diagram_meet(c->g, h, d, 0, y)) paradt__exact_meet(&c->exact, c->g, c->p, h, 0, 0, y);
-    if (distant && !paradt__diagram_meet(c->g, h, d, 1, y + d + 1))
+    if (inexact || !paradt__diagram_meet(c->g, h, d, 0, y)) paradt__exact_meet(&c->exact, c->g, c->p, h, 0, 0, y);
+    if (distant && (inexact || !paradt__diagram_meet(c->g, h, d, 1, y + d + 1)))
         paradt__exact_meet(&c->exact, c->g, c->p, h, 1, 0, y + d + 1);
     PARADT_CLAIM(corner, c, h, y, distant);
 }
@@ -30309,8 +30338,8 @@ static int paradt__clip_is_centre(paradt__convex *c, size_t vertex, paradt_index
     const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
     const paradt__halfspace *h[PARADT_MAX_DIM + 1];
     paradt__halfspace plane;
-    int i, j;
-    for (j = 0; j < g->d; j++) {
+    int i, j, bounds = paradt__diagram_bounds(y[g->d] + centre[g->d]);
+    for (j = 0; j < g->d && bounds; j++) {
         double x = base[j] + y[j], error = (y[g->d] + centre[g->d]) * 1.01 + 2 * PARADT__ROUNDOFF * paradt__abs(x);
         if (paradt__abs(x - centre[j]) > error) return 0;
     }
@@ -30353,7 +30382,7 @@ static paradt_status paradt__clip_name(paradt__clipper *clipper, size_t vertex, 
         list->planes[list->place_count * (size_t)(g->d + 1) + 1 + i] = h[i]->side;
     }
     paradt__exact_meet(&c->exact, g, c->p, h, 0, 1, y);
-    for (i = 0; i < (size_t)g->d; i++) list->places[list->place_count * (size_t)g->d + i] = y[i] + 0.0;
+    for (i = 0; i < (size_t)g->d; i++) list->places[list->place_count * (size_t)g->d + i] = y[i];
     *name = -2 - (paradt_index)list->place_count++;
     return c->exact.status;
 }
@@ -30753,6 +30782,11 @@ static int paradt__voronoi_top(double x) {
     return range.top;
 }
 
+// Makes 0 of -0. Adding 0 to it would lose subnormal numbers where they are flushed to 0.
+static double paradt__voronoi_unsigned_zero(double x) {
+    return paradt__bits(x) << 1 ? x : 0;
+}
+
 // Makes the walls of the request, along the axes of the set.
 static paradt_status paradt__voronoi_walls(paradt__voronoi_work *work, const paradt_voronoi_request *request) {
     paradt__diagram *g = &work->g;
@@ -30767,7 +30801,7 @@ static paradt_status paradt__voronoi_walls(paradt__voronoi_work *work, const par
         wall->axis = -1;
         if (i >= 2 * d) {
             const double *plane = request->planes + (i - 2 * d) * (d + 1);
-            for (j = 0; j < g->d; j++) wall->normal[j] = plane[g->set.axes[j]] + 0.0;
+            for (j = 0; j < g->d; j++) wall->normal[j] = paradt__voronoi_unsigned_zero(plane[g->set.axes[j]]);
             wall->offset = plane[d];
             continue;
         }
@@ -30777,7 +30811,8 @@ static paradt_status paradt__voronoi_walls(paradt__voronoi_work *work, const par
         wall->normal[wall->axis] = i < d ? -1 : 1;
         wall->distant = !request || !request->box || !paradt__is_finite(request->box[i]);
         if (!wall->distant) wall->offset = i < d ? -request->box[i] : request->box[i];
-        if (i >= d && !wall->distant && !g->walls[i - d].distant && request->box[i - d] > request->box[i])
+        if (i >= d && !wall->distant && !g->walls[i - d].distant &&
+            paradt__ordered_bits(request->box[i - d]) > paradt__ordered_bits(request->box[i]))
             g->nothing = 1;
     }
     for (i = 0; i < d; i++)
@@ -30797,6 +30832,7 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
         for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
         if (!wall->distant) top = paradt__max(top, paradt__voronoi_top(wall->offset) - largest + 1);
     }
+    g->imprecise = !paradt__precise();
     top = paradt__min(top, 1100);
     g->shift = top < -4000 || (top >= -20 && top <= 40) ? 0 : top;
     top = paradt__max(top - g->shift, 0) + 2;
@@ -30806,11 +30842,12 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
         paradt__voronoi_wall *wall = g->walls + i;
         int largest = -4000;
         for (j = 0; j < d; j++) largest = paradt__max(largest, paradt__voronoi_top(wall->normal[j]));
-        exact = paradt__precise();
+        exact = !g->imprecise;
         if (wall->axis >= 0) largest = 0;
         for (j = 0; j < d; j++) wall->scaled_normal[j] = paradt__scale(wall->normal[j], -largest, &exact);
         wall->scaled_offset = paradt__scale(wall->offset, -largest - g->shift, &exact);
-        wall->inexact = !exact;
+        // where `top` has been too large for the scale, offsets are not below 2^top
+        wall->inexact = !exact || paradt__biased_exponent(wall->scaled_offset) > 1023 + top;
     }
     g->scaled = g->set.records;
     if (!g->shift) return PARADT_OK;
@@ -30878,8 +30915,16 @@ static double paradt__voronoi_unscale(const paradt__diagram *g, double value, in
             *error = paradt__scale(*error, dim * g->shift, &exact) + 4 * PARADT__ROUNDOFF * paradt__abs(value);
     }
     *error += paradt__power(-1000);
-    if (paradt__bits(paradt__abs(value)) >= UINT64_C(0x7fefffffffffffff)) *error = HUGE_VAL;
+    if (paradt__bits(paradt__abs(value)) >= UINT64_C(0x7fefffffffffffff) ||
+        paradt__bits(*error) >= UINT64_C(0x7fefffffffffffff))
+        *error = HUGE_VAL;
     return value;
+}
+
+// Is a volume or its error, in scaled coordinates, so small that nothing has overflowed? Directed rounding may have
+// made the largest double of what did, and a division something less.
+PARADT__INLINE int paradt__voronoi_is_small(double sum) {
+    return paradt__biased_exponent(sum) < 1023 + 1000;
 }
 
 // Hands over what was summed up for the cells.
@@ -30902,8 +30947,10 @@ PARADT__HOT paradt_status paradt__voronoi_cells(paradt__voronoi_work *work, para
         size_t to = paradt__voronoi_index(g, i);
         int infinite = work->unbounded[i];
         double volume = infinite ? HUGE_VAL : sums[0], error = infinite ? 0 : sums[1];
-        if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
-        if (!infinite && !(volume + error < HUGE_VAL))        // beyond all doubles: the largest one, and no bound
+        if (g->imprecise && paradt__bits(error)) error = HUGE_VAL;
+        else if (error > 0 && !(volume > 0)) volume = error * 0.5; // it is more than 0, and at most the error
+        // beyond all doubles, or of vertices that may be: the largest one, and no bound
+        if (!infinite && !(paradt__voronoi_is_small(sums[0]) && (g->imprecise || paradt__voronoi_is_small(sums[1]))))
             volume = paradt__from_bits(UINT64_C(0x7fefffffffffffff)), error = HUGE_VAL;
         double scaled = volume;
         if (out->volumes) {
@@ -30968,7 +31015,8 @@ PARADT__HOT paradt_status paradt__voronoi_faces(paradt__voronoi_work *work, para
     }
     for (i = 0; i < out->face_count && out->areas; i++) {
         double area = paradt__voronoi_unscaled(g, out->areas[i], g->d - 1);
-        out->areas[i] = area >= 0 ? area : area < 0 ? 0 : HUGE_VAL; // rounded below 0; of vertices beyond all doubles
+        if (!paradt__is_finite(area)) area = HUGE_VAL; // of vertices beyond all doubles
+        out->areas[i] = area < 0 ? 0 : area;           // rounded below 0
     }
     for (i = 0; i < out->face_count && out->normals && (g->shift || g->k < g->d); i++) {
         double centroid[PARADT_MAX_DIM], normal[PARADT_MAX_DIM];
@@ -30995,7 +31043,7 @@ PARADT__HOT paradt_status paradt__voronoi_clip(paradt__voronoi_work *work) {
         again[i] = (g->kind[i] & PARADT__CELL_CLIPPED) != 0;
         if (g->kind[i] == PARADT__CELL_THERE && work->tally.sums) { // and not clipped
             const double *sums = paradt__tally_of(&work->tally, (paradt_index)i);
-            again[i] = !(sums[0] > sums[1]);
+            again[i] = !(paradt__voronoi_is_small(sums[0]) && paradt__voronoi_is_small(sums[1]) && sums[0] > sums[1]);
         }
     }
     status = paradt__clip_all(g, &team, work->wants, again, &work->tally, work->unbounded,
@@ -31167,7 +31215,7 @@ static paradt_status paradt__numbering_vertices(paradt__numbering *n, paradt__vo
         const double *x = of >= 0 ? paradt__centre_of(g, of, g->d) : work->corners.places + (size_t)(-2 - of) * d;
         for (j = 0; j < d; j++) {
             double y = of >= 0 && g->shift ? paradt__scale(x[j], g->shift, &exact) : x[j];
-            out->vertices[i * d + (size_t)g->set.axes[j]] = y + 0.0;
+            out->vertices[i * d + (size_t)g->set.axes[j]] = paradt__voronoi_unsigned_zero(y);
         }
     }
     return PARADT_OK;

@@ -104,6 +104,7 @@ x86_64 | i?86) sse="ftz up+ftz" x87="single double double+down" ;;
 esac
 uses reference_uses "up down zero" $reference -O2 -DUSES_LINKED build/tests/paradt.o
 uses gcc_native_fast_math_uses "up $sse" gcc -O1 -march=native -ffast-math -ffp-contract=fast
+uses gcc_x87_uses "$x87" gcc -O1 -m32 -mfpmath=387 -mno-sse
 same gcc_O0 "up" gcc -O0
 same gcc_no_simd "" gcc -O2 -DPARADT_NO_SIMD -Wall -Wextra -Werror
 same gcc_index64 "" gcc -O1 -DPARADT_INDEX64

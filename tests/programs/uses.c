@@ -91,8 +91,22 @@ static void print_queries(const paradt_triangulation *t, const paradt_points *po
     free(nearest);
 }
 
-// Which points share faces, and which cells are unbounded: of the whole diagram, and clipped to a box with two points at corners
-static void print_voronoi(const paradt_triangulation *t, const paradt_points *points, const double *x, int clipped) {
+// Is a < b? Looks at their bits, so that subnormal numbers differ in all modes.
+static int is_less(double a, double b) {
+    uint64_t x, y;
+    memcpy(&x, &a, sizeof x);
+    memcpy(&y, &b, sizeof y);
+    if (x >> 63 != y >> 63)
+        return (int)(x >> 63) && (x | y) << 1 != 0;
+    return x >> 63 ? x > y : x < y;
+}
+
+enum { WHOLE, CLIPPED, CUT };
+
+// Which points share faces, how many corners these have, and which cells are unbounded: of the whole diagram, clipped to a box
+// with two points at corners, and cut by a plane of numbers that are coordinates
+static void print_voronoi(const paradt_triangulation *t, const paradt_points *points, const double *x, int by) {
+    static const char *const names[] = {", Voronoi", ", clipped", ", cut"};
     paradt_voronoi_request request;
     paradt_voronoi v;
     paradt_status status;
@@ -101,40 +115,29 @@ static void print_voronoi(const paradt_triangulation *t, const paradt_points *po
     size_t i;
     int k;
     memset(&request, 0, sizeof request);
-    request.outputs = PARADT_VORONOI_FACES;
+    request.outputs = PARADT_VORONOI_FACES | PARADT_VORONOI_POLYGONS;
     for (k = 0; k < points->dim; k++) {
         double low = x[k], high = x[points->dim + k];
-        box[k] = low < high ? low : high;
-        box[points->dim + k] = low < high ? high : low;
+        int ordered = is_less(low, high);
+        box[k] = ordered ? low : high;
+        box[points->dim + k] = ordered ? high : low;
     }
-    if (clipped)
+    if (by == CLIPPED)
         request.box = box;
+    if (by == CUT) {
+        request.planes = x + 3 * points->dim;
+        request.plane_count = 1;
+    }
     status = paradt_voronoi_compute(&v, t, points, &request, NULL);
     for (i = 0; i < v.face_count && !status; i++) {
         sides[0] = (uint64_t)v.sides[2 * i];
         sides[1] = (uint64_t)(int64_t)v.sides[2 * i + 1];
-        hash += paradt_hash_cell(sides, 2);
+        hash += paradt_hash_cell(sides, 2) * (2 * (v.first_vertex[i + 1] - v.first_vertex[i]) + 1);
     }
     for (i = 0; i < v.cell_count && !status; i++)
         hash = hash * 31 + v.unbounded[i];
-    print_number(clipped ? ", clipped" : ", Voronoi", status, hash);
+    print_number(names[by], status, hash + v.vertex_count);
     paradt_voronoi_free(&v);
-}
-
-// Are all numbers 0 or between 2^-300 and 2^300 in size? Looks at their bits, so that the mode plays no part. Diagrams of others
-// are not printed: floating point clips them, and flags that break it leave less of its range there.
-static int are_moderate(const double *numbers, size_t count) {
-    uint64_t bits;
-    size_t i;
-    int moderate = 1;
-    for (i = 0; i < count; i++) {
-        memcpy(&bits, numbers + i, sizeof bits);
-        bits = bits << 1 >> 53;
-        moderate &= !bits || (bits > 1023 - 300 && bits < 1023 + 300);
-        memcpy(&bits, numbers + i, sizeof bits);
-        moderate &= bits << 1 == 0 || bits << 1 >> 53 != 0;
-    }
-    return moderate;
 }
 
 int main(int argc, char **argv) {
@@ -166,10 +169,9 @@ int main(int argc, char **argv) {
             print_living(x, weights, most, head[0], PARADT_DELAUNAY_TREE, paradt_hash(&t));
             print_living(x, weights, most, head[0], PARADT_FLIP, paradt_hash(&t));
             print_queries(&t, &points, x);
-            if (are_moderate(x, most * (size_t)head[0]) && (!weights || are_moderate(weights, most))) {
-                print_voronoi(&t, &points, x, 0);
-                print_voronoi(&t, &points, x, 1);
-            }
+            print_voronoi(&t, &points, x, WHOLE);
+            print_voronoi(&t, &points, x, CLIPPED);
+            print_voronoi(&t, &points, x, CUT);
             printf("\n");
             paradt_free(&t);
         }
