@@ -149,11 +149,11 @@ int main(int argc, char **argv) {
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // if the run is stopped, the output shows where
     for (i = 3; i < argc; i++)
         enter(argv[i]);
-    while (fread(head, sizeof head, 1, file) == 1) {
-        char *name = (char *)get(file, 96);
+    while (get_head(file, head)) {
+        char *name = (char *)get(file, 96, 1);
         size_t count = (size_t)head[1];
-        void *data = get(file, count * (size_t)head[0] * (head[3] ? sizeof(float) : sizeof(double)));
-        double *weights = head[2] ? (double *)get(file, count * sizeof(double)) : NULL;
+        void *data = get(file, count * (size_t)head[0], head[3] ? sizeof(float) : sizeof(double));
+        double *weights = head[2] ? (double *)get(file, count, sizeof(double)) : NULL;
         if (!head[3] && head[0] <= MOST_DIM && count > 8) {
             const double *x = (const double *)data;
             size_t most = count < MOST_POINTS ? count : (size_t)MOST_POINTS;
