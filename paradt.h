@@ -735,8 +735,14 @@ typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
 #define paradt_dynamic_export         paradt_dynamic_export_64
 #define paradt_voronoi_compute        paradt_voronoi_compute_64
 #define paradt_voronoi_free           paradt_voronoi_free_64
+#define PARADT__LAST_INDEX            INT64_MAX
+#elif defined(PARADT__INDEX16)
+// For tests alone: the library meets its limits with some thousand points.
+typedef int16_t paradt_index;
+#define PARADT__LAST_INDEX INT16_MAX
 #else
 typedef int32_t paradt_index; // a point, a cell or a half-facet; negative: none
+#define PARADT__LAST_INDEX INT32_MAX
 #endif
 
 // What functions that can fail return: name, what paradt_status_string says. PARADT_OK is 0.
@@ -4263,7 +4269,9 @@ static paradt_status paradt__curve_sort(const paradt__curve *curve, const double
 // Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
 // paradt__weight_size, paradt__weight, paradt__read_record, paradt__coordinates, paradt__fetch_point.
 
-#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
+// The most elements that an index numbers and memory holds
+#define PARADT__INDEXED (PARADT__LAST_INDEX < SIZE_MAX / 16 ? (size_t)PARADT__LAST_INDEX : SIZE_MAX / 16)
+#define PARADT__NOWHERE ((paradt_index)PARADT__LAST_INDEX) // no position and no place
 
 enum {
     PARADT__UNGRADED,
@@ -5940,7 +5948,7 @@ typedef uint32_t paradt__tag; // an index without its sign: comparing two in one
 #endif
 
 // Whether four indices fit into a register that every processor of the kind has
-#if defined(__SSE2__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
+#if defined(__SSE2__) && !defined(PARADT_NO_SIMD) && PARADT__LAST_INDEX == INT32_MAX
 #define PARADT__FOUR_AT_ONCE 1
 #else
 #define PARADT__FOUR_AT_ONCE 0
@@ -6049,7 +6057,7 @@ static void paradt__mesh_free(paradt__mesh *mesh, paradt__memory *memory) {
 
 // The most cells whose facets can be numbered
 static size_t paradt__most_cells(int corners) {
-    return (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / (size_t)corners;
+    return (size_t)PARADT__LAST_INDEX / (size_t)corners;
 }
 
 // Allocates a larger array for one of the two arrays of rows and copies it; frees the old one unless it is lent.
@@ -11891,7 +11899,7 @@ static paradt_status paradt__plane_insert(paradt__insertion *build, paradt_index
 // paradt__kept_insert_avx2, paradt__dot_avx2, paradt__four_spheres, paradt__four_differences, paradt__abs_avx2,
 // paradt__two_halves, paradt__four_store.
 
-#if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
+#if defined(PARADT__AVX2) && PARADT__LAST_INDEX == INT32_MAX
 #define PARADT__KEPT_AVX2 1
 
 // By mask: the shuffle that moves the elements, of four, whose bits the mask has to the front
@@ -15336,7 +15344,9 @@ static paradt_status paradt__tree_begin(paradt__tree *tree, const paradt__mesh *
     memset(tree, 0, sizeof *tree);
     tree->memory = memory;
     tree->corners = mesh->corners;
-    tree->nodes.width = sizeof(paradt__tree_node) + (size_t)mesh->corners * sizeof(paradt_index);
+    // Whole tags, which every node is aligned for
+    tree->nodes.width = sizeof root + (size_t)mesh->corners * sizeof(paradt_index) + sizeof root.seen - 1;
+    tree->nodes.width -= tree->nodes.width % sizeof root.seen;
     status = paradt__tree_room(tree, mesh, mesh->count);
     for (; tree->nodes.count < mesh->count && !status; tree->nodes.count++) {
         PARADT_ASSERT(mesh->vertices[tree->nodes.count * (size_t)mesh->corners] != PARADT__DEAD);
@@ -16730,7 +16740,7 @@ static paradt_status paradt__patch_apply_seam(paradt__patch *patch) {
 // compacted by these lists. Points of later regions get -1 for an index meanwhile: a cell with such a vertex is not the
 // region's. Doors: paradt__patch_compact, paradt__patch_begin_open, paradt__patch_emit, paradt__patch_take_all.
 
-#define PARADT__LATER_REGION ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MIN : INT64_MIN)) // a bit of -1
+#define PARADT__LATER_REGION ((paradt_index)(-PARADT__LAST_INDEX - 1)) // a bit of -1
 
 // Makes patch->origin: the caller's indices, or -1 for positions from `end` on.
 static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index end) {
@@ -19016,7 +19026,7 @@ PARADT__COLD paradt_status paradt__check_arguments(const paradt_points *points, 
         return PARADT_ERROR_ARGUMENT;
     }
     *text = "points.count is larger than an index can number";
-    if (points->count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16) / 2)
+    if (points->count > PARADT__INDEXED / 2)
         return PARADT_ERROR_TOO_LARGE;
     *text = "points.count times points.stride is larger than the address space";
     if (points->count > SIZE_MAX / (points->stride ? points->stride : size * (size_t)points->dim))
@@ -32056,7 +32066,7 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
     paradt_status status;
     if (t->point_count != points->count)
         return paradt__check_fail(check, "the triangulation has another number of points", -1, -1);
-    if (t->cell_count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16))
+    if (t->cell_count > PARADT__INDEXED)
         return paradt__check_fail(check, "there are more cells than an index can number", -1, -1);
     status = paradt__check_read(check, points);
     if (!status) status = paradt__check_dimension(check);
@@ -32398,7 +32408,7 @@ static const char *paradt__proof_fault(const paradt_hull *hull, const paradt_poi
     if (!hull) return "hull is NULL";
     if (hull->facet_count && (!hull->facets || !hull->plane)) return "hull.facets or hull.plane is NULL";
     if (hull->vertex_count && !hull->vertices) return "hull.vertices is NULL";
-    if (hull->facet_count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16))
+    if (hull->facet_count > PARADT__INDEXED)
         return "hull.facet_count is larger than an index can number";
     return NULL;
 }
