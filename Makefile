@@ -22,7 +22,7 @@ TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),
 ZLIB ?= $(if $(filter clean help,$(MAKECMDGOALS)),,$(shell echo 'int main(void) { return zlibVersion() == 0; }' | \
     $(CC) -include zlib.h -x c -o /dev/null - -lz 2>/dev/null && echo -DPARADT_ZLIB -lz))
 
-.PHONY: all run examples check test bench thesis study study-threads theory lib clean help fuzz soak faults test-programs test-list
+.PHONY: all run examples check test bench thesis study study-threads theory lib clean help fuzz soak faults machines test-programs test-list
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -64,7 +64,7 @@ PROVIDED := $(T)/have.mk
 
 C_TESTS      := $(sort $(wildcard tests/*.c))
 # Without in this list the test of the headers' structure runs like the others.
-NO_TESTS     := tests/run.sh tests/setup.sh
+NO_TESTS     := tests/run.sh tests/setup.sh tests/machines.sh
 SHELL_TESTS  := $(filter-out $(NO_TESTS),$(sort $(wildcard tests/*.sh)))
 FUZZERS      := $(sort $(wildcard fuzz/fuzz_*.c))
 # Test programs that include cgal.h need CGAL, those that include voro.h Voro++, and those that include gmp.h or one of these
@@ -201,6 +201,9 @@ test: ## Run all tests, after installing what they need (apt-get, as root or by 
 # Without optimisation the library is built in seconds, and most faults show in small sets.
 faults: ## Plant faults one by one, and run the tests that should see them (tests/faults; half an hour on two processors)
 	@JOBS=$(JOBS) CC="$(CC)" sh tests/faults/run.sh
+
+machines: $(T)/paradt.o $(TEST_INPUT) ## Compare other processors and builds with this one, and analyse the header (tests/machines.sh)
+	@CC="$(CC)" CXX="$(CXX)" sh tests/machines.sh
 
 # --- the rest --------------------------------------------------------------------------------------------------------
 

@@ -740,8 +740,14 @@ typedef int64_t paradt_index; // a point, a cell or a half-facet; negative: none
 #define paradt_dynamic_export         paradt_dynamic_export_64
 #define paradt_voronoi_compute        paradt_voronoi_compute_64
 #define paradt_voronoi_free           paradt_voronoi_free_64
+#define PARADT__LAST_INDEX            INT64_MAX
+#elif defined(PARADT__INDEX16)
+// For tests alone: the library meets its limits with some thousand points.
+typedef int16_t paradt_index;
+#define PARADT__LAST_INDEX INT16_MAX
 #else
 typedef int32_t paradt_index; // a point, a cell or a half-facet; negative: none
+#define PARADT__LAST_INDEX INT32_MAX
 #endif
 
 // What functions that can fail return: name, what paradt_status_string says. PARADT_OK is 0.
@@ -1558,7 +1564,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        330   Hilbert's curve, sorting along it
-//     points                       164   the caller's points, records
+//     points                       166   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
@@ -1602,7 +1608,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      131   the dag of all cells, by which points are located
 //     insertion by flips           381   search, split, collect, flip
-//     Delaunay tree                306   location by the cells that there were
+//     Delaunay tree                308   location by the cells that there were
 //   division
 //     regions of fronts            127   owners, joining
 //     fringe                       106   cells that are not a region's own alone
@@ -1617,7 +1623,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     regions of insertion         619   the steps of a divided insertion
 //   entry
 //     methods                      330   one row a method; AUTO's choice
-//     triangulate                  390   the entry
+//     triangulate                  389   the entry
 //   use
 //     minors                        93   determinants with bounds, in floating point
 //     hull points                  475   those that a hull has to look at
@@ -1643,8 +1649,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
 //     changes of a living set      458   one point comes, goes or moves; the set anew
-//     making a living set          260   the set anew
-//     living set                   707   the entry
+//     making a living set          262   the set anew
+//     living set                   454   the entry
 //     reading a living set         259   cells, stars, places and what is nearest, without a change
 //     diagram                      279   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
@@ -1658,7 +1664,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   check
 //     check                        504   the certificate
 //     check of the hull            293   ... and of hidden points
-//     check of a hull              334   that of a hull alone
+//     check of a hull              333   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -4269,7 +4275,9 @@ static paradt_status paradt__curve_sort(const paradt__curve *curve, const double
 // Doors: paradt__record, paradt__copy_record, paradt__set_free, paradt__hash_coordinates, paradt__source_of,
 // paradt__weight_size, paradt__weight, paradt__read_record, paradt__coordinates, paradt__fetch_point.
 
-#define PARADT__NOWHERE ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MAX : INT64_MAX)) // no position and no place
+// The most elements that an index numbers and memory holds
+#define PARADT__INDEXED (PARADT__LAST_INDEX < SIZE_MAX / 16 ? (size_t)PARADT__LAST_INDEX : SIZE_MAX / 16)
+#define PARADT__NOWHERE ((paradt_index)PARADT__LAST_INDEX) // no position and no place
 
 enum {
     PARADT__UNGRADED,
@@ -5946,7 +5954,7 @@ typedef uint32_t paradt__tag; // an index without its sign: comparing two in one
 #endif
 
 // Whether four indices fit into a register that every processor of the kind has
-#if defined(__SSE2__) && !defined(PARADT_NO_SIMD) && !defined(PARADT_INDEX64)
+#if defined(__SSE2__) && !defined(PARADT_NO_SIMD) && PARADT__LAST_INDEX == INT32_MAX
 #define PARADT__FOUR_AT_ONCE 1
 #else
 #define PARADT__FOUR_AT_ONCE 0
@@ -6055,7 +6063,7 @@ static void paradt__mesh_free(paradt__mesh *mesh, paradt__memory *memory) {
 
 // The most cells whose facets can be numbered
 static size_t paradt__most_cells(int corners) {
-    return (size_t)(((paradt_index)-1 < 0 && sizeof(paradt_index) == 4) ? INT32_MAX : INT64_MAX) / (size_t)corners;
+    return (size_t)PARADT__LAST_INDEX / (size_t)corners;
 }
 
 // Allocates a larger array for one of the two arrays of rows and copies it; frees the old one unless it is lent.
@@ -11897,7 +11905,7 @@ static paradt_status paradt__plane_insert(paradt__insertion *build, paradt_index
 // paradt__kept_insert_avx2, paradt__dot_avx2, paradt__four_spheres, paradt__four_differences, paradt__abs_avx2,
 // paradt__two_halves, paradt__four_store.
 
-#if defined(PARADT__AVX2) && !defined(PARADT_INDEX64)
+#if defined(PARADT__AVX2) && PARADT__LAST_INDEX == INT32_MAX
 #define PARADT__KEPT_AVX2 1
 
 // By mask: the shuffle that moves the elements, of four, whose bits the mask has to the front
@@ -15342,7 +15350,9 @@ static paradt_status paradt__tree_begin(paradt__tree *tree, const paradt__mesh *
     memset(tree, 0, sizeof *tree);
     tree->memory = memory;
     tree->corners = mesh->corners;
-    tree->nodes.width = sizeof(paradt__tree_node) + (size_t)mesh->corners * sizeof(paradt_index);
+    // Whole tags, which every node is aligned for
+    tree->nodes.width = sizeof root + (size_t)mesh->corners * sizeof(paradt_index) + sizeof root.seen - 1;
+    tree->nodes.width -= tree->nodes.width % sizeof root.seen;
     status = paradt__tree_room(tree, mesh, mesh->count);
     for (; tree->nodes.count < mesh->count && !status; tree->nodes.count++) {
         PARADT_ASSERT(mesh->vertices[tree->nodes.count * (size_t)mesh->corners] != PARADT__DEAD);
@@ -16736,7 +16746,7 @@ static paradt_status paradt__patch_apply_seam(paradt__patch *patch) {
 // compacted by these lists. Points of later regions get -1 for an index meanwhile: a cell with such a vertex is not the
 // region's. Doors: paradt__patch_compact, paradt__patch_begin_open, paradt__patch_emit, paradt__patch_take_all.
 
-#define PARADT__LATER_REGION ((paradt_index)(sizeof(paradt_index) == 4 ? INT32_MIN : INT64_MIN)) // a bit of -1
+#define PARADT__LATER_REGION ((paradt_index)(-PARADT__LAST_INDEX - 1)) // a bit of -1
 
 // Makes patch->origin: the caller's indices, or -1 for positions from `end` on.
 static paradt_status paradt__patch_translate(paradt__patch *patch, paradt_index end) {
@@ -19022,8 +19032,7 @@ PARADT__COLD paradt_status paradt__check_arguments(const paradt_points *points, 
         return PARADT_ERROR_ARGUMENT;
     }
     *text = "points.count is larger than an index can number";
-    if (points->count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16) / 2)
-        return PARADT_ERROR_TOO_LARGE;
+    if (points->count > PARADT__INDEXED / 2) return PARADT_ERROR_TOO_LARGE;
     *text = "points.count times points.stride is larger than the address space";
     if (points->count > SIZE_MAX / (points->stride ? points->stride : size * (size_t)points->dim))
         return PARADT_ERROR_TOO_LARGE;
@@ -32114,7 +32123,7 @@ static paradt_status paradt__check_all(paradt__check *check, const paradt_points
     paradt_status status;
     if (t->point_count != points->count)
         return paradt__check_fail(check, "the triangulation has another number of points", -1, -1);
-    if (t->cell_count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16))
+    if (t->cell_count > PARADT__INDEXED)
         return paradt__check_fail(check, "there are more cells than an index can number", -1, -1);
     status = paradt__check_read(check, points);
     if (!status) status = paradt__check_dimension(check);
@@ -32457,8 +32466,7 @@ static const char *paradt__proof_fault(const paradt_hull *hull, const paradt_poi
     if (!hull) return "hull is NULL";
     if (hull->facet_count && (!hull->facets || !hull->plane)) return "hull.facets or hull.plane is NULL";
     if (hull->vertex_count && !hull->vertices) return "hull.vertices is NULL";
-    if (hull->facet_count > (sizeof(paradt_index) == 4 ? (size_t)INT32_MAX : SIZE_MAX / 16))
-        return "hull.facet_count is larger than an index can number";
+    if (hull->facet_count > PARADT__INDEXED) return "hull.facet_count is larger than an index can number";
     return NULL;
 }
 

@@ -96,12 +96,12 @@ int main(int argc, char **argv) {
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // if the run is stopped, the output shows where
     for (i = 3; i < argc; i++)
         enter(argv[i]);
-    while (fread(head, sizeof head, 1, file) == 1) {
+    while (get_head(file, head)) {
         paradt_points points = {0};
-        char *name = (char *)get(file, 96);
+        char *name = (char *)get(file, 96, 1);
         size_t count = (size_t)head[1];
-        void *data = get(file, count * (size_t)head[0] * (head[3] ? sizeof(float) : sizeof(double)));
-        double *weights = head[2] ? (double *)get(file, count * sizeof(double)) : NULL;
+        void *data = get(file, count * (size_t)head[0], head[3] ? sizeof(float) : sizeof(double));
+        double *weights = head[2] ? (double *)get(file, count, sizeof(double)) : NULL;
         points.data = data;
         points.count = count;
         points.dim = head[0];

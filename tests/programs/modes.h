@@ -6,6 +6,7 @@
 #define MODES_H
 
 #include <fenv.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,12 +40,34 @@ static void enter(const char *mode) {
     exit(2);
 }
 
-static void *get(FILE *file, size_t size) {
-    void *memory = malloc(size ? size : 1);
-    if (!memory || (size && fread(memory, size, 1, file) != 1)) {
+// Numbers come from a little-endian file. A processor of the other order turns their bytes around.
+static void turn(void *numbers, size_t count, size_t width) {
+    const unsigned one = 1;
+    unsigned char *bytes = (unsigned char *)numbers, kept;
+    size_t i, j;
+    for (i = 0; i < count && !*(const unsigned char *)&one; i++, bytes += width)
+        for (j = 0; j < width / 2; j++) {
+            kept = bytes[j];
+            bytes[j] = bytes[width - 1 - j];
+            bytes[width - 1 - j] = kept;
+        }
+}
+
+// Reads the four numbers that a sample begins with; 0: the file is at its end.
+static int get_head(FILE *file, int32_t *head) {
+    if (fread(head, sizeof *head, 4, file) != 4)
+        return 0;
+    turn(head, 4, sizeof *head);
+    return 1;
+}
+
+static void *get(FILE *file, size_t count, size_t width) {
+    void *memory = malloc(count ? count * width : 1);
+    if (!memory || fread(memory, width, count, file) != count) {
         fprintf(stderr, "the file ends early\n");
         exit(1);
     }
+    turn(memory, count, width);
     return memory;
 }
 #endif

@@ -1,7 +1,8 @@
 // Prints, for every small sample in a file, what comes of a living set whose points come, move and go, of locating, of nearest
 // points, and of Voronoi diagrams: what is decided, not the numbers. The output must be the same when it is built with flags, or
 // run in modes, that break careless floating-point code.
-// Usage: uses FILE [MODE...]
+// Usage: uses FILE SHARE [MODE...]
+//   SHARE            has no effect; the arguments are those of hashes.c
 //   MODE             see modes.h
 #ifndef USES_LINKED // else the implementation is in another object
 #define PARADT_IMPLEMENTATION
@@ -144,18 +145,18 @@ int main(int argc, char **argv) {
     int32_t head[4];
     FILE *file = argc > 1 ? fopen(argv[1], "rb") : NULL;
     int i;
-    if (!file) {
-        fprintf(stderr, "usage: uses FILE [MODE...]\n");
+    if (!file || argc < 3) {
+        fprintf(stderr, "usage: uses FILE SHARE [MODE...]\n");
         return 2;
     }
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // if the run is stopped, the output shows where
-    for (i = 2; i < argc; i++)
+    for (i = 3; i < argc; i++)
         enter(argv[i]);
-    while (fread(head, sizeof head, 1, file) == 1) {
-        char *name = (char *)get(file, 96);
+    while (get_head(file, head)) {
+        char *name = (char *)get(file, 96, 1);
         size_t count = (size_t)head[1];
-        void *data = get(file, count * (size_t)head[0] * (head[3] ? sizeof(float) : sizeof(double)));
-        double *weights = head[2] ? (double *)get(file, count * sizeof(double)) : NULL;
+        void *data = get(file, count * (size_t)head[0], head[3] ? sizeof(float) : sizeof(double));
+        double *weights = head[2] ? (double *)get(file, count, sizeof(double)) : NULL;
         if (!head[3] && head[0] <= MOST_DIM && count > 8) {
             const double *x = (const double *)data;
             size_t most = count < MOST_POINTS ? count : (size_t)MOST_POINTS;
