@@ -2,8 +2,8 @@
 # Flags and modes that break careless floating-point code change no cell. One program prints the hashes and certificates of every
 # family by every method; its output must be the same, however it is built and in whatever mode it runs. The first run prints all
 # lines, each later one the next seventh of them. A second program does the same with living sets, queries and Voronoi diagrams, in
-# few builds, as it compiles what the first one leaves out. Other processors, and more
-# manners of building, are in machines.sh. Prints TAP.
+# few builds, as it compiles what the first one leaves out. Other processors, and more manners of building, are in machines.sh.
+# Prints TAP.
 work=build/tests/hostile
 . tests/programs/tap.sh
 . tests/programs/builds.sh
