@@ -1559,7 +1559,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     signs                        246   orientation, in-sphere, the perturbation; the public predicates
 //   points
 //     curve                        330   Hilbert's curve, sorting along it
-//     points                       164   the caller's points, records
+//     points                       166   the caller's points, records
 //     measures                     144   points that span, spacing
 //     cuts                         263   boxes of space
 //     reading                      226   the first pass over the points
@@ -1603,7 +1603,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      131   the dag of all cells, by which points are located
 //     insertion by flips           381   search, split, collect, flip
-//     Delaunay tree                306   location by the cells that there were
+//     Delaunay tree                308   location by the cells that there were
 //   division
 //     regions of fronts            127   owners, joining
 //     fringe                       106   cells that are not a region's own alone
@@ -1618,7 +1618,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     regions of insertion         619   the steps of a divided insertion
 //   entry
 //     methods                      330   one row a method; AUTO's choice
-//     triangulate                  390   the entry
+//     triangulate                  389   the entry
 //   use
 //     minors                        93   determinants with bounds, in floating point
 //     hull points                  475   those that a hull has to look at
@@ -1647,7 +1647,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     making a living set          260   the set anew
 //     living set                   452   what changes it: one point, many points
 //     reading a living set         259   cells, stars, places and what is nearest, without a change
-//     diagram                      250   what Voronoi diagrams are made of; planes, where they meet
+//     diagram                      251   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             158   centres of cells, and their errors
 //     Voronoi faces                490   faces and volumes that nothing clips
@@ -1659,7 +1659,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   check
 //     check                        504   the certificate
 //     check of the hull            293   ... and of hidden points
-//     check of a hull              333   that of a hull alone
+//     check of a hull              332   that of a hull alone
 
 #ifdef PARADT_IMPLEMENTATION
 #ifndef PARADT__IMPLEMENTED
@@ -19026,8 +19026,7 @@ PARADT__COLD paradt_status paradt__check_arguments(const paradt_points *points, 
         return PARADT_ERROR_ARGUMENT;
     }
     *text = "points.count is larger than an index can number";
-    if (points->count > PARADT__INDEXED / 2)
-        return PARADT_ERROR_TOO_LARGE;
+    if (points->count > PARADT__INDEXED / 2) return PARADT_ERROR_TOO_LARGE;
     *text = "points.count times points.stride is larger than the address space";
     if (points->count > SIZE_MAX / (points->stride ? points->stride : size * (size_t)points->dim))
         return PARADT_ERROR_TOO_LARGE;
@@ -28063,14 +28062,15 @@ typedef struct paradt__halfspace {
 #define PARADT__OFFSET_ROUNDINGS(d) ((d) + 6)
 
 // The bytes of a row with links and a centre; a cache line in space
-#define PARADT__ROW_BYTES(d) ((size_t)((d) + 1) * (2 * sizeof(paradt_index) + sizeof(double)))
+#define PARADT__ROW_BYTES(d) (PARADT__CENTRE_AT(d) + (size_t)((d) + 1) * sizeof(double))
+#define PARADT__CENTRE_AT(d) (((size_t)((d) + 1) * 2 * sizeof(paradt_index) + 7) / 8 * 8) // in whole doubles
 
 PARADT__INLINE paradt_index *paradt__row_vertices(const paradt__diagram *g, size_t cell, size_t bytes) {
     return (paradt_index *)(void *)(g->rows + cell * bytes);
 }
 
 PARADT__INLINE double *paradt__row_centre(const paradt_index *vertices, int d) {
-    return (double *)(void *)(uintptr_t)(vertices + 2 * (d + 1));
+    return (double *)(void *)((char *)(uintptr_t)vertices + PARADT__CENTRE_AT(d));
 }
 
 PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, paradt_index point) {
@@ -32408,8 +32408,7 @@ static const char *paradt__proof_fault(const paradt_hull *hull, const paradt_poi
     if (!hull) return "hull is NULL";
     if (hull->facet_count && (!hull->facets || !hull->plane)) return "hull.facets or hull.plane is NULL";
     if (hull->vertex_count && !hull->vertices) return "hull.vertices is NULL";
-    if (hull->facet_count > PARADT__INDEXED)
-        return "hull.facet_count is larger than an index can number";
+    if (hull->facet_count > PARADT__INDEXED) return "hull.facet_count is larger than an index can number";
     return NULL;
 }
 
