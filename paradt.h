@@ -1652,7 +1652,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     making a living set          262   the set anew
 //     living set                   454   the entry
 //     reading a living set         259   cells, stars, places and what is nearest, without a change
-//     diagram                      279   what Voronoi diagrams are made of; planes, where they meet
+//     diagram                      280   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             156   centres of cells, and their errors
 //     Voronoi faces                493   faces and volumes that nothing clips
@@ -28080,14 +28080,15 @@ typedef struct paradt__halfspace {
 #define PARADT__OFFSET_ROUNDINGS(d) ((d) + 6)
 
 // The bytes of a row with links and a centre; a cache line in space
-#define PARADT__ROW_BYTES(d) ((size_t)((d) + 1) * (2 * sizeof(paradt_index) + sizeof(double)))
+#define PARADT__ROW_BYTES(d) (PARADT__CENTRE_AT(d) + (size_t)((d) + 1) * sizeof(double))
+#define PARADT__CENTRE_AT(d) (((size_t)((d) + 1) * 2 * sizeof(paradt_index) + 7) / 8 * 8) // in whole doubles
 
 PARADT__INLINE paradt_index *paradt__row_vertices(const paradt__diagram *g, size_t cell, size_t bytes) {
     return (paradt_index *)(void *)(g->rows + cell * bytes);
 }
 
 PARADT__INLINE double *paradt__row_centre(const paradt_index *vertices, int d) {
-    return (double *)(void *)(uintptr_t)(vertices + 2 * (d + 1));
+    return (double *)(void *)((char *)(uintptr_t)vertices + PARADT__CENTRE_AT(d));
 }
 
 PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, paradt_index point) {

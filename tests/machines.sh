@@ -3,16 +3,18 @@
 # here. Big-endian s390x, riscv64 and arm64 have other signs of char and sizes of long double than x86, and may join products and
 # sums. Installs what it needs as the tests do. Not one of the tests, as emulated processors are slow: `make machines` runs it.
 # The compiler for them is clang: Debian's gcc for other processors takes gcc-multilib away.
-# Usage: machines.sh [GROUP...]   GROUP: processors, manners; without one, all. Prints TAP.
+# The header is also read by cppcheck and gcc's analyser; what they may report is in tests/programs/analysers.txt, with the reasons.
+# Valgrind's memcheck runs a seventh of the first program (see tests/programs/valgrind.supp).
+# Usage: machines.sh [GROUP...]   GROUP: processors, manners, analysers; without one, all. Prints TAP.
 work=build/tests/machines
 . tests/programs/tap.sh
 . tests/programs/builds.sh
 mkdir -p build/tests
-sh tests/setup.sh build/tests/machines.mk gcc clang gcc-multilib qemu-user lld wasi-libc libclang-rt-dev-wasm32 nodejs \
+sh tests/setup.sh build/tests/machines.mk gcc clang gcc-multilib qemu-user lld wasi-libc libclang-rt-dev-wasm32 nodejs cppcheck valgrind \
     binutils-s390x-linux-gnu libc6-dev-s390x-cross libgcc-12-dev-s390x-cross \
     binutils-riscv64-linux-gnu libc6-dev-riscv64-cross libgcc-12-dev-riscv64-cross \
     binutils-aarch64-linux-gnu libc6-dev-arm64-cross libgcc-12-dev-arm64-cross | sed 's/^/# /'
-groups=${*:-processors manners}
+groups=${*:-processors manners analysers}
 begin "" ""
 seconds=1800
 
@@ -68,9 +70,57 @@ manners() {
     whole=
 }
 
+# explained NAME REPORTS: lines "line|id|message" about paradt.h, of which each is in the list, with that line of the header.
+explained() {
+    awk -F'|' 'FILENAME ~ /analysers/ { if ($0 !~ /^#/ && NF) known[$0]; next }
+        FILENAME == "paradt.h" { sub(/^ +/, ""); text[FNR] = $0; next }
+        !($2 "|" text[$1] in known)' tests/programs/analysers.txt paradt.h "$2" >"$2.left"
+    [ ! -s "$2.left" ]
+    report $? "$1" "$2.left"
+}
+
+# analyse NAME COMMAND...: runs an analyser, which ends well.
+analyse() {
+    name=$1
+    shift
+    timeout $seconds "$@" >"$work/$name.log" 2>&1
+    status=$?
+    [ $status = 0 ] || report 1 "$name" "$work/$name.log"
+    return $status
+}
+
+analysers() {
+    printf '#define PARADT_IMPLEMENTATION\n#include "paradt.h"\n' >"$work/implementation.c"
+    if has cppcheck; then
+        analyse cppcheck cppcheck -q --std=c99 --enable=warning,performance,portability --suppress=missingIncludeSystem -I. \
+            -D__GNUC__=12 -D__linux__ -D__x86_64__ -D__LP64__ --platform=unix64 --template='{line}|{id}|{message}' \
+            "$work/implementation.c" && explained cppcheck "$work/cppcheck.log"
+    else
+        skip cppcheck "it is not installed"
+    fi
+    # More than the core in three dimensions takes the analyser more than some minutes.
+    if has gcc && can gcc -fanalyzer; then
+        analyse analyzer gcc -fanalyzer --param analyzer-bb-explosion-factor=1 --param analyzer-max-enodes-per-program-point=3 \
+            -fdiagnostics-plain-output -DPARADT_MAX_DIM=3 -DPARADT_NO_SIMD -DPARADT_NO_LOCATOR -DPARADT_NO_DYNAMIC -DPARADT_NO_VORONOI \
+            -DPARADT_NO_HULLS -DPARADT_NO_FRONTS -DPARADT_NO_REGIONS -I. -c "$work/implementation.c" -o "$work/analyzer.o" && {
+            sed -n 's/^[^ ]*paradt.h:\([0-9]*\):[0-9]*: warning: \(.*\) \[\(-W[^]]*\)\]$/\1|\3|\2/p' "$work/analyzer.log" >"$work/analyzer.reports"
+            explained analyzer "$work/analyzer.reports"
+        }
+    else
+        skip analyzer "gcc has no -fanalyzer here"
+    fi
+    if has valgrind; then
+        valgrind -q --error-exitcode=9 --suppressions=tests/programs/valgrind.supp "$work/reference" "$points" 0 >"$work/valgrind.out" \
+            2>"$work/valgrind.log" && cmp "$work/valgrind.out" "$work/expected_0" >>"$work/valgrind.log"
+        report $? valgrind "$work/valgrind.log"
+    else
+        skip valgrind "it is not installed"
+    fi
+}
+
 for group in $groups; do
     case $group in
-    processors | manners) $group ;;
+    processors | manners | analysers) $group ;;
     *) echo "machines.sh: no group is named $group" >&2 && exit 2 ;;
     esac
 done
