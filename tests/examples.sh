@@ -21,7 +21,9 @@ between() { # low, high, sed expression that takes a number from the file out
 
 ran cube && [ "$(wc -l <out)" -eq 6 ]
 report $? cube_has_six_tetrahedra
-ran square && grep -q '^triangle 3: 3 4 2   neighbours: 2 -1 0$' out && [ "$(wc -l <out)" -eq 4 ]
+# Which triangle is first depends on the method.
+ran square && [ "$(grep -c '^triangle [0-3]: [0-4] [0-4] [0-4]   neighbours:\( [0-3]\)* -1' out)" -eq 4 ] &&
+    grep -q ': 3 4 2   neighbours: [0-3] -1 [0-3]$' out && [ "$(wc -l <out)" -eq 4 ]
 report $? square_has_four_triangles_with_neighbours
 ran dynamic && grep -q '^201 points, ' out && drawn dynamic 350 && [ "$(grep -c '#e65' dynamic.svg)" -ge 3 ]
 report $? dynamic_inserts_removes_and_moves

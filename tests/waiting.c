@@ -85,7 +85,7 @@ static void report(watch_of_gaps *w, const task *t, const char *what) {
     int i = 0;
     snprintf(name, sizeof name, "%s, %s, %d%s", what, t->family, t->dim, t->weighted ? ", weighted" : "");
     end_watch(w, name);
-    if (w->calls < 2)
+    if (w->calls < 2 && points_wanted() >= 100000)
         fail_msg("%s: nobody asks whether the call is cancelled", name);
     if (w->longest <= limit_seconds())
         return;
