@@ -733,7 +733,7 @@ static void plan(job *j) {
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     j->jobs = s->jobs ? s->jobs : processors < 1 ? 1 : processors > MAX_JOBS ? MAX_JOBS : (size_t)processors;
     j->regions = j->points.count / POINTS_PER_REGION;
-    if (j->regions > j->jobs)
+    if (j->regions > j->jobs || s->hull) // the tasks of a hull divide no space
         j->regions = j->jobs;
     if (j->regions < 1)
         j->regions = 1;
