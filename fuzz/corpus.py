@@ -22,6 +22,19 @@ def write(harness, name, data):
         file.write(data)
 
 
+def encoded(encoding, numbers):
+    """Returns the bytes of the numbers"""
+    data = b""
+    for number in numbers:
+        if encoding == RAW:
+            data += struct.pack("<Q", number) if isinstance(number, int) else struct.pack("<d", number)
+        elif encoding == SCALED:
+            data += struct.pack("<bb", *number)
+        else:
+            data += struct.pack("<b", number)
+    return data
+
+
 def seed(name, dim, encoding, numbers, weighted=False, copies=False, keep=False, uniform=False, regions=3, parameter=0,
          spoil=5, copied_axis=None, constant_axis=None):
     """Writes one seed.
@@ -34,14 +47,7 @@ def seed(name, dim, encoding, numbers, weighted=False, copies=False, keep=False,
         flat = 2 * copied_axis + 1
     if constant_axis is not None:
         flat = 2 * (constant_axis + dim)
-    data = bytes([flags, regions - 1, parameter, spoil, flat])
-    for number in numbers:
-        if encoding == RAW:
-            data += struct.pack("<Q", number) if isinstance(number, int) else struct.pack("<d", number)
-        elif encoding == SCALED:
-            data += struct.pack("<bb", *number)
-        else:
-            data += struct.pack("<b", number)
+    data = bytes([flags, regions - 1, parameter, spoil, flat]) + encoded(encoding, numbers)
     for harness in POINTS:
         if harness == "regions":  # the call, then its options; which of them, the name decides
             number = sum(name.encode())
@@ -153,13 +159,7 @@ def points():
 def predicate(name, dim, encoding, numbers, parameter=0, mode=0, floats=False, swap=0x21, measures=True, made=0, which=0):
     """Writes a seed of fuzz_predicates.c. numbers: of each of dim + 2 points the coordinates and the weight"""
     data = bytes([dim - 2 | encoding << 3 | floats << 5 | mode << 6, parameter, swap, measures | made << 1 | which << 3])
-    for number in numbers:
-        if encoding == RAW:
-            data += struct.pack("<Q", number) if isinstance(number, int) else struct.pack("<d", number)
-        elif encoding == SCALED:
-            data += struct.pack("<bb", *number)
-        else:
-            data += struct.pack("<b", number)
+    data += encoded(encoding, numbers)
     write("predicates", name, data)
 
 

@@ -27,23 +27,14 @@ typedef struct few {
 
 // --- the signs by wide integers
 
-// Returns the smallest scale of the numbers, or that of 1 if all are 0.
-static int common_scale(const double *x, int count, int scale) {
-    int i;
-    for (i = 0; i < count; i++)
-        if (x[i] != 0 && wide_scale(x[i]) < scale)
-            scale = wide_scale(x[i]);
-    return scale;
-}
-
 // The differences of p[1], ..., p[rows] from p[0]; with lifts the differences of |p|^2 - weight behind them
 static void differences(wide (*row)[WIDE_COLUMNS], int dim, const double *const *p, const double *weights, int rows,
                         int lifts) {
     static wide number, square, base;
     int scale = 1000, lift, i, k;
     for (i = 0; i <= rows; i++)
-        scale = common_scale(p[i], dim, scale);
-    lift = weights ? common_scale(weights, rows + 1, 2 * scale) : 2 * scale;
+        scale = wide_least_scale(p[i], (size_t)dim, scale);
+    lift = weights ? wide_least_scale(weights, (size_t)rows + 1, 2 * scale) : 2 * scale;
     for (i = 0; i < rows; i++)
         for (k = 0; k < dim; k++) {
             wide_of(&row[i][k], p[i + 1][k], scale);

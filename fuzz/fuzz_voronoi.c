@@ -21,14 +21,6 @@ static void add_all(wide *sum, const double *x, size_t count, int scale, int sig
     }
 }
 
-static int least_scale(const double *x, size_t count, int scale) {
-    size_t i;
-    for (i = 0; i < count; i++)
-        if (x[i] != 0 && wide_scale(x[i]) < scale)
-            scale = wide_scale(x[i]);
-    return scale;
-}
-
 static int all_finite(const double *x, size_t count) {
     size_t i;
     for (i = 0; i < count && is_finite(x[i]); i++)
@@ -39,7 +31,7 @@ static int all_finite(const double *x, size_t count) {
 // Is the difference of two sums at most a third one, exactly?
 static int adds_up(const double *parts, const double *errors, size_t count, const double *whole, size_t whole_count) {
     static wide difference, bound;
-    int scale = least_scale(parts, count, least_scale(errors, count, least_scale(whole, whole_count, 0)));
+    int scale = wide_least_scale(parts, count, wide_least_scale(errors, count, wide_least_scale(whole, whole_count, 0)));
     difference.sign = bound.sign = difference.count = bound.count = 0;
     add_all(&difference, parts, count, scale, 1);
     add_all(&difference, whole, whole_count, scale, -1);

@@ -27,6 +27,15 @@ static inline int wide_scale(double x) {
     return (exponent ? exponent : 1) - 1075;
 }
 
+// Returns the least of the scale and those of the numbers that are not 0.
+static inline int wide_least_scale(const double *x, size_t count, int scale) {
+    size_t i;
+    for (i = 0; i < count; i++)
+        if (x[i] != 0 && wide_scale(x[i]) < scale)
+            scale = wide_scale(x[i]);
+    return scale;
+}
+
 static inline void wide_trim(wide *a) {
     while (a->count && !a->word[a->count - 1])
         a->count--;

@@ -1,7 +1,7 @@
 // Bounds on errors. What floating point claims (tests/claims.h) holds in runs of the whole library, in all rounding modes;
 // and an adversary climbs, bit by bit, towards the largest ratio of error to bound. A ratio above 1 is a fault. A bound that
 // is smaller than its proof allows need not be exceeded where the proof is generous; therefore the highest places that long
-// climbs have reached are kept (tests/inputs/summits.txt). Where the ratio there is twice what it was, the bound has become
+// climbs have reached are kept (tests/summits.txt). Where the ratio there is twice what it was, the bound has become
 // smaller, and where no climb comes near to it any more, larger.
 // Ratios below 1/4 are those of bounds that are generous by design; each tells why where it is derived in paradt.h:
 //   elimination in five dimensions and more, the first filter's bounds for a whole set, quick bounds of kept spheres,
@@ -532,7 +532,7 @@ static double hill_height(const hill *h, const double *v) {
 }
 
 // Places that long climbs have reached: the hill's name, the mode's number, and the values. Short climbs begin there, too.
-#define SUMMITS "tests/inputs/summits.txt"
+#define SUMMITS "tests/summits.txt"
 
 // Returns the mode's number, or -1: nothing is known of the hill.
 static int summit_read(const hill *h, double *v, int count) {
