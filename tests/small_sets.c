@@ -22,16 +22,20 @@ static sample small_set(uint64_t number) {
     dim = below(4) ? 3 : 2;
     count = 6 + below(MOST_POINTS - 6);
     kind = below(5);
-    if (kind == 4) return family_make(&families[below(FAMILY_COUNT)], NULL, dim, count < 40 ? count : 40, number);
+    if (kind == 4)
+        return family_make(&families[below(FAMILY_COUNT)], NULL, dim, count < 40 ? count : 40, number);
     s = sample_make("small set", dim, count);
-    for (int k = 0; k < 3; k++) sides[k] = 1 + below(kind ? 9 : 4);
+    for (int k = 0; k < 3; k++)
+        sides[k] = 1 + below(kind ? 9 : 4);
     for (int i = 0; i < count; i++) {
         double *x = s.x + i * dim;
         for (int k = 0; k < dim; k++) {
             x[k] = kind < 2 ? below(sides[k] + 1) : random_unit(&state);
-            if (kind == 3 && i % 3) x[k] *= 0.125;
+            if (kind == 3 && i % 3)
+                x[k] *= 0.125;
         }
-        if (kind == 2) x[dim - 1] = below(3) ? 0 : x[dim - 1];
+        if (kind == 2)
+            x[dim - 1] = below(3) ? 0 : x[dim - 1];
     }
     return s;
 }
@@ -47,16 +51,20 @@ static void small_sets_in_regions_have_the_cells_of_one(void **unused) {
         options.method = PARADT_BOWYER_WATSON;
         assert_int_equal(paradt_triangulate(&whole, &points, &options), PARADT_OK);
         hash = paradt_hash(&whole);
-        if (below(3) == 0) options.method = below(2) ? PARADT_INCODE : PARADT_DEWALL;
+        if (below(3) == 0)
+            options.method = below(2) ? PARADT_INCODE : PARADT_DEWALL;
         options.regions = 2 + (size_t)below(8);
         options.partition = below(2) ? PARADT_UNIFORM : PARADT_BISECTION;
         options.parallel_for = below(2) ? run_backwards : NULL;
         watch(&s, 60);
         assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
         watch(NULL, 0);
-        if (paradt_hash(&t) != hash) fail_on_sample(&s, "other cells in regions");
-        if (t.stats.hull_facets != whole.stats.hull_facets) fail_on_sample(&s, "other hull facets in regions");
-        if (verify_neighbors(&t)) fail_on_sample(&s, verify_neighbors(&t));
+        if (paradt_hash(&t) != hash)
+            fail_on_sample(&s, "other cells in regions");
+        if (t.stats.hull_facets != whole.stats.hull_facets)
+            fail_on_sample(&s, "other hull facets in regions");
+        if (verify_neighbors(&t))
+            fail_on_sample(&s, verify_neighbors(&t));
         paradt_free(&t);
         paradt_free(&whole);
         sample_free(&s);
@@ -76,7 +84,8 @@ static void small_sets_between_walls_have_the_cells_of_insertion(void **unused) 
         watch(&s, 60);
         assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
         watch(NULL, 0);
-        if (paradt_hash(&t) != paradt_hash(&inserted)) fail_on_sample(&s, "other cells by walls");
+        if (paradt_hash(&t) != paradt_hash(&inserted))
+            fail_on_sample(&s, "other cells by walls");
         paradt_free(&t);
         paradt_free(&inserted);
         sample_free(&s);
@@ -90,10 +99,12 @@ static void small_sets_have_the_same_cells_by_every_method(void **unused) {
         sample s = sample_make("small set", 2 + (int)(number % 4), 8 + (int)(number * 7 % 33));
         uint64_t first = 0;
         state = number;
-        for (int i = 0, lattice = below(2); i < s.count * s.dim; i++) s.x[i] = lattice ? below(3) : random_unit(&state);
+        for (int i = 0, lattice = below(2); i < s.count * s.dim; i++)
+            s.x[i] = lattice ? below(3) : random_unit(&state);
         if (number & 4) {
             s.w = (double *)need((size_t)s.count, sizeof(double));
-            for (int i = 0; i < s.count; i++) s.w[i] = number & 8 ? 2 * random_unit(&state) : below(3);
+            for (int i = 0; i < s.count; i++)
+                s.w[i] = number & 8 ? 2 * random_unit(&state) : below(3);
         }
         for (int method = PARADT_INCODE; method < PARADT_METHOD_COUNT; method++) {
             paradt_points points = points_of(&s);
@@ -103,9 +114,12 @@ static void small_sets_have_the_same_cells_by_every_method(void **unused) {
             watch(&s, 60);
             assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
             watch(NULL, 0);
-            if (method == PARADT_INCODE) first = paradt_hash(&t);
-            if (paradt_hash(&t) != first) fail_on_sample(&s, paradt_method_string(options.method));
-            if (verify_neighbors(&t)) fail_on_sample(&s, verify_neighbors(&t));
+            if (method == PARADT_INCODE)
+                first = paradt_hash(&t);
+            if (paradt_hash(&t) != first)
+                fail_on_sample(&s, paradt_method_string(options.method));
+            if (verify_neighbors(&t))
+                fail_on_sample(&s, verify_neighbors(&t));
             paradt_free(&t);
         }
         sample_free(&s);
