@@ -1588,14 +1588,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     incode                        28   incremental construction
 //     dewall                       160   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
-//     insertion                    298   dig and star, in any dimension
+//     insertion                    299   dig and star, in any dimension
 //     kept spheres                 640   conflict tests by one product, in two and three dimensions
 //     digging by spheres           381   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           297   dig and star with kept spheres
+//     stars in the plane           298   dig and star with kept spheres
 //     insertion by spheres         219   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
-//     the plane by AVX2            143   the same for the plane
+//     the plane by AVX2            144   the same for the plane
 //     inserting                    239   insertions from begin to end
 //     planes                       357   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
@@ -9810,7 +9810,8 @@ struct paradt__insertion;
 
 // Is told of each cavity when it has been dug, before it is starred: update.killed and the rim are filled, and the mesh
 // is still as it was. It makes the room that starring takes, so that nothing fails afterwards, or says why not.
-// A point that is inserted by flips makes a cavity with each of them, and `filled` is told of their cells, too.
+// A point that is inserted by flips makes a cavity with each of them. Of these alone `filled` is told, too, after each
+// flip and star: update.made has the new cells.
 typedef struct paradt__witness {
     paradt_status (*dug)(struct paradt__witness *witness, struct paradt__insertion *build);
     void (*filled)(struct paradt__witness *witness, struct paradt__insertion *build);
@@ -10577,7 +10578,7 @@ PARADT__INLINE int paradt__kept_is_near(const paradt__kept *s, int corners) {
     return corners == 3 && s->making == PARADT__MAKE_GRADED;
 }
 
-// The same where the number of corners is a constant. nearby: by (11)?
+// Returns the power of x where the number of corners is a constant. nearby: by (11)?
 PARADT__INLINE double paradt__kept_power(const paradt__sphere *sphere, const paradt__centred *x, int corners,
                                          int nearby) {
     if (corners == 4) return paradt__sphere_power(sphere, x);
@@ -11415,7 +11416,7 @@ static size_t paradt__plane_spread(paradt__insertion *build, paradt__dig *work, 
 enum {
     PARADT__PLANE_TOGETHER = 4, // cells that are made together
     PARADT__SMALL_CAVITY = 60,  // most cells of a small one
-    PARADT__SMALL_RIM = 64      // ... and more than the facets of its rim
+    PARADT__SMALL_RIM = 64      // ... and more than the facets of its rim, which are two more than cells
 };
 
 // The rim of a small cavity, as a polygon: its facets follow each other counter-clockwise
@@ -11442,7 +11443,8 @@ PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt
 
 // Digs a small cavity depth first, so that the facets of the rim follow each other. Without weights no vertex is inside
 // of a cavity, so that its cells hang together as a tree, and no cell is come to twice: none needs a mark. Fills
-// update.killed, the rim and the polygon. Returns 0 if the cavity is not small; then nothing has changed.
+// update.killed and the rim, which begin with room for PARADT__FIRST_DIG, and the polygon. Returns 0 if the cavity is
+// not small; then nothing has changed.
 PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index first, const paradt__centred *point,
                                      const double *x, paradt__polygon *polygon, int nearby) {
     const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
@@ -11846,7 +11848,7 @@ PARADT__NOINLINE paradt_status paradt__plane_insert_large(paradt__insertion *bui
                                                           paradt_index first, const paradt__centred *centred,
                                                           const paradt__kept_kernels *kernels) {
     paradt__kept_kernels plane = *kernels;
-    plane.corners = 3;
+    plane.corners = 3; // a constant for what is inlined below
     if (!paradt__kept_more_numbers(build, build->kept->numbers_wanted)) return PARADT_ERROR_MEMORY;
     return paradt__kept_insert_at(build, point, first, centred, &plane);
 }
@@ -12520,6 +12522,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__plane_make_four(paradt__making making, 
         paradt__four_plane_edges(making, build, seconds, point, b);
         left = _mm256_movemask_pd(_mm256_fmsub_pd(a[0], next[1], _mm256_mul_pd(a[1], next[0])));
         right = _mm256_movemask_pd(_mm256_fmsub_pd(b[0], next[1], _mm256_mul_pd(b[1], next[0])));
+        // of more cells the first 64 are enough: it is only where the search starts
         towards |= i < 64 ? (uint64_t)(unsigned)(right & ~left) << i : 0;
         paradt__four_circles(making, &frame, p, a, b, circle, &error);
         paradt__four_store(s->table, s->mask, cells, circle, error);
@@ -15671,7 +15674,7 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
         if (paradt__meter_stops(meter, i)) status = PARADT_ERROR_CANCELLED;
         if (status || (count < PARADT__JOINED && i + 1 < facets)) continue;
         status = paradt__facets_join(&table, all, open, count, 0, memory);
-        count = 0;
+        count = 0; // joining takes longer than looking for open facets, so it asks, too
         if (!status && i % PARADT__PACE < PARADT__JOINED && paradt__meter_cancels(meter))
             status = PARADT_ERROR_CANCELLED;
     }
@@ -24779,7 +24782,7 @@ PARADT__INLINE paradt_index *paradt__filling_pair(const paradt__filling *f, para
 }
 
 // Notes a cell of a polygon: its number `at`, and where in its row the vertex is. Returns 0 for a ghost.
-PARADT__INLINE int paradt__polygon_note(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+PARADT__INLINE int paradt__filling_note(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
                                         paradt_index place, size_t at, int *where) {
     const paradt__mesh *mesh = &build->scene.mesh;
     const paradt_index base = 3 * place, *row = mesh->vertices + base;
@@ -24796,21 +24799,21 @@ PARADT__INLINE int paradt__polygon_note(paradt__filling *f, paradt__insertion *b
 // Collects the hole of a vertex in the plane by turning around it both ways, as each step waits for memory: cells, rim
 // and link in order, counterclockwise. There is room for twice as many as there may be. Returns 0 if there are too
 // many, or the vertex is on the hull.
-static int paradt__polygon_turn(paradt__filling *f, paradt__insertion *build, paradt_index vertex, paradt_index cell) {
+static int paradt__filling_turn(paradt__filling *f, paradt__insertion *build, paradt_index vertex, paradt_index cell) {
     enum { MOST = PARADT__MOST_WRAPPED };
     const paradt_index *links = build->scene.mesh.links;
     paradt_index ahead = cell, back = cell;
     size_t first = MOST, last = MOST, count; // back is number `first`, ahead is number `last`
     int at, at_back;
-    if (!paradt__polygon_note(f, build, vertex, cell, first, &at)) return 0;
+    if (!paradt__filling_note(f, build, vertex, cell, first, &at)) return 0;
     for (at_back = at;;) {
         paradt_index next = links[3 * ahead + (at + 1) % 3] / 3, before = links[3 * back + (at_back + 2) % 3] / 3;
         paradt__fetch_row(build->scene.mesh.vertices, links, (size_t)next, 3);
         paradt__fetch_row(build->scene.mesh.vertices, links, (size_t)before, 3);
         if (next == back) break;
-        if (last - first + 3 > MOST || !paradt__polygon_note(f, build, vertex, next, ++last, &at)) return 0;
+        if (last - first + 3 > MOST || !paradt__filling_note(f, build, vertex, next, ++last, &at)) return 0;
         if (next == before) break;
-        if (!paradt__polygon_note(f, build, vertex, before, --first, &at_back)) return 0;
+        if (!paradt__filling_note(f, build, vertex, before, --first, &at_back)) return 0;
         ahead = next;
         back = before;
     }
@@ -24835,8 +24838,8 @@ static paradt_status paradt__filling_number(paradt__filling *f, paradt__memory *
 }
 
 // Turns around a vertex if it can be done.
-static paradt_status paradt__filling_polygon(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
-                                             paradt_index cell) {
+static paradt_status paradt__filling_turn_around(paradt__filling *f, paradt__insertion *build, paradt_index vertex,
+                                                 paradt_index cell) {
     enum { ROOM = 2 * PARADT__MOST_WRAPPED };
     paradt__update *update = &build->update;
     paradt_status status;
@@ -24845,7 +24848,7 @@ static paradt_status paradt__filling_polygon(paradt__filling *f, paradt__inserti
     status = paradt__list_room(&update->killed, 0, &update->killed_capacity, ROOM, build->memory);
     if (!status) status = paradt__list_room(&build->rim, 0, &build->rim_capacity, ROOM, build->memory);
     if (!status) status = paradt__list_room(&f->points.items, 0, &f->points.capacity, ROOM, build->memory);
-    if (!status) f->polygon = paradt__polygon_turn(f, build, vertex, cell);
+    if (!status) f->polygon = paradt__filling_turn(f, build, vertex, cell);
     return status;
 }
 
@@ -24855,7 +24858,7 @@ static paradt_status paradt__filling_star(paradt__filling *f, paradt__insertion 
     const paradt__mesh *mesh = &build->scene.mesh;
     paradt_index corners = mesh->corners, i;
     size_t most, at;
-    paradt_status status = paradt__filling_polygon(f, build, vertex, cell);
+    paradt_status status = paradt__filling_turn_around(f, build, vertex, cell);
     if (status || f->polygon) return status;
     status = paradt__filling_cells(build, vertex, cell);
     if (status) return status;
@@ -27432,7 +27435,7 @@ static paradt_status paradt__living_replace(paradt_dynamic *d, const paradt__cen
     paradt__living_free(&old);
     d->memory = old.memory;
     d->build.memory = &d->memory;
-    d->build.witness = &d->witness;
+    paradt__living_watch(d);
     paradt__past_own(&d->past, &d->memory);
     d->dim_before = old.dim;
     d->rebuilt = 1;
