@@ -23038,11 +23038,12 @@ static paradt_status paradt__starts_add(paradt__starts *starts, size_t points, p
 typedef struct paradt__start_points {
     const double *records;
     size_t width, count;
-    const paradt_index *order; // [count] their positions; NULL: 0, 1, ...
+    const paradt_index *order; // [count] their positions; NULL: 0, step, 2 step, ...
+    size_t step;
 } paradt__start_points;
 
 PARADT__INLINE paradt_index paradt__start_point(const paradt__start_points *points, size_t i) {
-    return points->order ? points->order[i] : (paradt_index)i;
+    return points->order ? points->order[i] : (paradt_index)(i * points->step);
 }
 
 // Gives each crowded bucket of the grids from `grid` on a grid of its own.
@@ -24190,7 +24191,7 @@ static paradt_status paradt__locating_help(paradt__locating *work) {
     paradt_locator *locator = work->locator;
     const paradt__set *set = &locator->set;
     const paradt__mesh *mesh = &locator->scene.mesh;
-    paradt__start_points points = {set->records, set->width, set->count, NULL};
+    paradt__start_points points = {set->records, set->width, set->count, NULL, 1};
     paradt__relation cells;
     paradt_status status;
     size_t i;
@@ -25856,7 +25857,7 @@ struct paradt_dynamic {
     paradt__insertion build; // scene, kept spheres; without a mesh where dim < 1
     paradt__filling filling;
     paradt__starts starts; // where searches start
-    size_t starts_for;     // number of vertices when they were made; 0: they were not
+    size_t starts_for;     // so many vertices there were, of those that they were to name; 0: they were not made
     paradt__past past;     // what points are located by
     int ambient, weighted;
     int dim;                  // of the points; -1: there are none
@@ -26790,18 +26791,19 @@ static paradt_status paradt__living_join(paradt_dynamic *d, paradt_index id, par
     return paradt__living_reweigh(d, position, d->weights[id]);
 }
 
-// Makes the starts when they are first needed, and anew when there are many more vertices. Without memory there are
-// none.
-static void paradt__living_make_starts(paradt_dynamic *d) {
+// Makes the starts, or makes them anew when there are many more vertices than they are for. Of so many positions they
+// name one. Without memory there are none.
+static void paradt__living_make_starts(paradt_dynamic *d, size_t step) {
     enum { FEW = 64, TIMES = 4 };
     paradt__start_points points;
     if (d->dim < 1 || d->now.vertices < FEW || (d->starts_for && d->now.vertices < TIMES * d->starts_for)) return;
     paradt__starts_free(&d->starts, &d->memory);
     points.records = d->records;
     points.width = d->build.scene.width;
-    points.count = d->now.positions;
+    points.count = (d->now.positions - 1) / step + 1;
     points.order = NULL;
-    d->starts_for = d->now.vertices;
+    points.step = step;
+    d->starts_for = (d->now.vertices - 1) / step + 1;
     if (paradt__starts_make(&d->starts, &points, d->ambient, &d->memory, NULL))
         paradt__starts_free(&d->starts, &d->memory);
 }
@@ -27204,7 +27206,11 @@ static paradt_status paradt__living_find_hidden(paradt_dynamic *d) {
 
 // Makes what a set keeps besides the mesh, which has been built.
 static paradt_status paradt__living_complete(paradt_dynamic *d) {
-    enum { KEPT_FOR = 512 }; // points: a small table of spheres, as most of them are wanted once
+    enum {
+        KEPT_FOR = 512, // points: a small table of spheres, as most of them are wanted once
+        SPARSE =
+            16 // vertices for one that searches start at: a hundredth of the time here. Insertions make more of them
+    };
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t hull;
     paradt_status status = PARADT_OK;
@@ -27234,6 +27240,7 @@ static paradt_status paradt__living_complete(paradt_dynamic *d) {
     if (!status && d->build.kept) d->build.kept->start = d->build.scene.hint;
     if (!status) status = paradt__living_number_room(d, d->now.positions);
     d->build.count = d->now.vertices;
+    if (!status) paradt__living_make_starts(d, SPARSE);
     return status;
 }
 
@@ -27559,18 +27566,29 @@ static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *c
                        change->count, NULL);
 }
 
-// Prefetches what removals soon after the i-th one begin with: first a cell of the vertex, then its row.
+// Prefetches what the points of a change soon after the i-th one begin with, step by step, as each step reads what the
+// one before has fetched: the bucket of an insertion, a cell of the vertex that it names, or of the one that goes, and
+// the cell's row.
 PARADT__INLINE void paradt__change_fetch(const paradt_dynamic *d, const paradt__change *change, size_t i) {
-    enum { SOON = 4, LATER = 8 };
+    enum { SOON = 3, LATER = 6, LAST = 9 };
     const paradt__mesh *mesh = &d->build.scene.mesh;
-    if (d->dim < 1 || i + LATER >= change->count) return;
-    PARADT__FETCH(d->column[PARADT__CELL],
-                  paradt__living_get(d, PARADT__POSITION, change->number[change->order[i + LATER].item]));
-    paradt__fetch_row(
-        mesh->vertices, mesh->links,
-        (size_t)paradt__living_get(
-            d, PARADT__CELL, paradt__living_get(d, PARADT__POSITION, change->number[change->order[i + SOON].item])),
-        (size_t)mesh->corners);
+    const size_t width = (size_t)d->ambient + (size_t)d->weighted;
+    paradt_index position[2];
+    size_t bucket;
+    int k;
+    if (d->dim < 1 || i + LAST >= change->count) return;
+    for (k = 0; k < 2; k++) {
+        size_t at = (size_t)change->order[i + (k ? LATER : SOON)].item;
+        if (change->kind != PARADT__INSERTION)
+            position[k] = paradt__living_get(d, PARADT__POSITION, change->number[at]);
+        else position[k] = paradt__starts_at(&d->starts, change->records + at * width, &bucket);
+        if (position[k] < 0) return;
+    }
+    if (change->kind == PARADT__INSERTION)
+        paradt__starts_fetch(&d->starts, change->records + (size_t)change->order[i + LAST].item * width);
+    PARADT__FETCH(d->column[PARADT__CELL], position[1]);
+    paradt__fetch_row(mesh->vertices, mesh->links, (size_t)paradt__living_get(d, PARADT__CELL, position[0]),
+                      (size_t)mesh->corners);
 }
 
 // Does a change, point by point.
@@ -27584,7 +27602,7 @@ static paradt_status paradt__change_do(paradt_dynamic *d, const paradt__change *
         size_t at = (size_t)change->order[i].item;
         paradt_index id = change->number[at];
         const double *record = change->records ? change->records + at * width : NULL;
-        if (change->kind == PARADT__REMOVAL) paradt__change_fetch(d, change, i);
+        paradt__change_fetch(d, change, i);
         if (i % PACE == PACE - 1 && paradt__progress_cancels(&progress, (double)i / (double)change->count))
             return PARADT_ERROR_CANCELLED;
         switch (change->kind) {
@@ -27616,7 +27634,7 @@ static int paradt__change_is_large(const paradt_dynamic *d, const paradt__change
 static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *change) {
     paradt_status status;
     paradt__living_begin(d, change->count > 1 || change->kind == PARADT__MOTION || d->weighted);
-    if (change->kind == PARADT__INSERTION) paradt__living_make_starts(d);
+    if (change->kind == PARADT__INSERTION) paradt__living_make_starts(d, 1);
     status = paradt__change_number(d, change);
     if (!status)
         status = d->dim < 0 || paradt__change_is_large(d, change) ? (paradt_status)PARADT__GAVE_UP
