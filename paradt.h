@@ -998,7 +998,7 @@ typedef struct paradt_voronoi {
     size_t face_count;          // number of faces
     paradt_index *sides;        // [face_count][2] the points on its two sides; the second may be -1 - k: wall k
     double *areas;              // [face_count] measure of dimension dim - 1; infinite: unbounded, or beyond all doubles
-    double *face_centroids;     // [face_count][dim] NaN where the area is infinite or 0
+    double *face_centroids;     // [face_count][dim] NaN where the area is infinite or 0, or the normal is NaN
     double *normals;            // [face_count][dim] of length 1, from the first side to the second; NaN where the two
                                 // points differ by less than 2^-1022 of the largest coordinate there is
     size_t *first_face;         // [cell_count + 1] where the faces of each cell begin in `faces`
@@ -1592,7 +1592,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 640   conflict tests by one product, in two and three dimensions
 //     digging by spheres           381   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           298   dig and star with kept spheres
+//     stars in the plane           300   dig and star with kept spheres
 //     insertion by spheres         219   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            144   the same for the plane
@@ -1636,9 +1636,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     repair                       524   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
-//     starting cells               286   a vertex near any place
+//     starting cells               287   a vertex near any place
 //     distances                    162   which of two vertices is nearer
-//     nearest                      154   the nearest vertex
+//     nearest                      163   the nearest vertex
 //     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
@@ -1649,9 +1649,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
 //     changes of a living set      458   one point comes, goes or moves; the set anew
-//     making a living set          262   the set anew
-//     living set                   454   the entry
-//     reading a living set         259   cells, stars, places and what is nearest, without a change
+//     making a living set          267   the set anew
+//     living set                   464   the entry
+//     reading a living set         255   cells, stars, places and what is nearest, without a change
 //     diagram                      280   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             156   centres of cells, and their errors
@@ -11458,6 +11458,8 @@ PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index firs
     later[0].mirror = links[entry];
     later[0].corner = vertices[entry + 1];
     later[0].conflict = paradt__plane_conflicts(build, paradt__kept_across(later[0].mirror, 3), &centred, x, nearby);
+    PARADT_ASSERT(build->update.killed_capacity >= PARADT__SMALL_CAVITY &&
+                  build->rim_capacity > PARADT__SMALL_CAVITY + 1);
     while (cells < PARADT__SMALL_CAVITY) {
         const size_t place = (size_t)entry - 3 * (size_t)cell;
         const paradt_index after = entry + (paradt_index)paradt__plane_after[place],
@@ -23327,7 +23329,7 @@ PARADT__OPTIONAL int paradt__compare_radius(const paradt__scene *scene, const do
 //
 // Nothing is written but on the stack. Only where a vertex has more cells than PARADT__STAR_CELLS memory is needed; if
 // there is none, all cells are looked at.
-// Doors: paradt__nearest_in, paradt__seen_add, paradt__seen_clear, paradt__seen_free.
+// Doors: paradt__nearest_in, paradt__seen_add, paradt__seen_around, paradt__seen_clear, paradt__seen_free.
 
 // A set of indices that are not negative, in the order in which they came
 typedef struct paradt__seen {
@@ -23391,6 +23393,20 @@ static void paradt__seen_free(paradt__seen *seen, paradt__memory *memory) {
     memset(seen, 0, sizeof *seen);
 }
 
+// Adds the neighbours of item `next`, a cell of a vertex, that have this vertex, too: from one cell of a star to all.
+PARADT__OPTIONAL paradt_status paradt__seen_around(paradt__seen *star, size_t next, const paradt__mesh *mesh,
+                                                   paradt_index vertex, paradt__memory *memory) {
+    const paradt_index base = star->items.items[next] * mesh->corners;
+    paradt_index i;
+    paradt_status status = PARADT_OK;
+    int fresh;
+    for (i = base; i < base + mesh->corners && !status; i++) {
+        if (mesh->vertices[i] != vertex)
+            status = paradt__seen_add(star, paradt__mesh_cell(mesh, mesh->links[i]), &fresh, memory);
+    }
+    return status;
+}
+
 // The best vertex so far, and a cell that has it
 typedef struct paradt__candidate {
     paradt__power_of power;
@@ -23420,8 +23436,7 @@ static void paradt__candidate_try_cell(const paradt__scene *scene, const double 
 // Tries the neighbours of the best vertex, of whatever number.
 static paradt_status paradt__candidate_try_all_around(const paradt__scene *scene, const double *x,
                                                       paradt__candidate *best, paradt__memory *memory) {
-    const paradt__mesh *mesh = &scene->mesh;
-    const paradt_index vertex = best->power.vertex, corners = mesh->corners;
+    const paradt_index vertex = best->power.vertex;
     paradt__seen star;
     paradt_status status;
     size_t next;
@@ -23429,12 +23444,8 @@ static paradt_status paradt__candidate_try_all_around(const paradt__scene *scene
     memset(&star, 0, sizeof star);
     status = paradt__seen_add(&star, best->cell, &fresh, memory);
     for (next = 0; next < star.items.count && !status; next++) {
-        const paradt_index base = star.items.items[next] * corners;
-        paradt_index i;
         paradt__candidate_try_cell(scene, x, star.items.items[next], best);
-        for (i = base; i < base + corners && !status; i++) {
-            if (mesh->vertices[i] != vertex) status = paradt__seen_add(&star, mesh->links[i] / corners, &fresh, memory);
-        }
+        status = paradt__seen_around(&star, next, &scene->mesh, vertex, memory);
     }
     paradt__seen_free(&star, memory);
     return status;
@@ -26312,7 +26323,6 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
     paradt_index corners = mesh->corners;
     size_t i, j, row = (size_t)corners;
     paradt_status status = paradt__living_mesh_room(d, made);
-    if (d->past.method != PARADT_FLIP) d->loose.count = d->suspects.count = 0;
     for (i = 0; i < build->update.killed_count && d->weighted && !status; i++)
         status = paradt__living_loosen(d, paradt__mesh_cell(mesh, build->update.killed[i]));
     if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
@@ -26380,6 +26390,7 @@ static void paradt__living_settle_hidden(paradt_dynamic *d, paradt_index gone, p
             paradt__living_hang(d, hidden, start);
         }
     }
+    d->loose.count = d->suspects.count = 0;
 }
 
 // Marks the new cells that fill a hole.
@@ -26680,7 +26691,6 @@ static paradt_status paradt__living_enter(paradt_dynamic *d, paradt_index positi
     status = paradt__past_insert(&d->past, build, position, cell);
     if (status) return status;
     paradt__living_settle(d, PARADT__NOWHERE);
-    d->loose.count = d->suspects.count = 0;
     return PARADT_OK;
 }
 
@@ -27547,23 +27557,25 @@ static paradt_status paradt__change_number(paradt_dynamic *d, const paradt__chan
     return status;
 }
 
+enum { PARADT__SMALL_CHANGE = 1 << 12 }; // so many points are read and sorted in a millisecond
+
 // Sorts the points of a change along the curve. other: scratch for as many
-static void paradt__change_sort(const paradt_dynamic *d, const paradt__change *change, paradt__keyed *other) {
+static paradt_status paradt__change_sort(paradt_dynamic *d, const paradt__change *change, paradt__keyed *other) {
     const paradt__space *space = &d->build.scene.space;
     paradt__curve curve;
     size_t i;
     for (i = 0; i < change->count; i++) change->order[i].item = (paradt_index)i;
-    if (change->count < 3 || d->dim < 1) return;
+    if (change->count < 3 || d->dim < 1) return PARADT_OK;
     if (change->kind == PARADT__REMOVAL) { // places have been along the curve, and others are seldom
         for (i = 0; i < change->count; i++)
             change->order[i].key = (uint64_t)paradt__living_get(d, PARADT__POSITION, change->number[i]);
         paradt__keyed_sort(change->order, other, change->count, paradt__bit_length(d->now.positions), 0);
-        return;
+        return PARADT_OK;
     }
     paradt__curve_begin(&curve, d->ambient, paradt__levels_for(SIZE_MAX, d->ambient), space->low, space->high,
                         change->count);
-    paradt__curve_sort(&curve, change->records, (size_t)d->ambient + (size_t)d->weighted, change->order, other,
-                       change->count, NULL);
+    return paradt__curve_sort(&curve, change->records, (size_t)d->ambient + (size_t)d->weighted, change->order, other,
+                              change->count, change->count > PARADT__SMALL_CHANGE ? &d->meter : NULL);
 }
 
 // Prefetches what the points of a change soon after the i-th one begin with, step by step, as each step reads what the
@@ -27652,8 +27664,6 @@ static paradt_status paradt__change_run(paradt_dynamic *d, paradt__change *chang
     return status;
 }
 
-enum { PARADT__SMALL_CHANGE = 1 << 12 }; // so many points are read and sorted in a millisecond
-
 // Checks a change and does it.
 static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *change) {
     size_t width = (size_t)d->ambient + (size_t)d->weighted, count = change->count;
@@ -27684,8 +27694,7 @@ static paradt_status paradt__living_change(paradt_dynamic *d, paradt__change *ch
         if (change->kind != PARADT__INSERTION && count)
             memcpy(change->number, change->ids, count * sizeof *change->number);
         if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
-        if (!status) paradt__change_sort(d, change, other);
-        if (count > PARADT__SMALL_CHANGE && paradt__meter_cancels(&d->meter)) status = PARADT_ERROR_CANCELLED;
+        if (!status) status = paradt__change_sort(d, change, other);
         if (!status) status = paradt__change_run(d, change);
     }
     if (!status && change->new_ids && count) memcpy(change->new_ids, change->number, count * sizeof *change->number);
@@ -27871,14 +27880,10 @@ static size_t paradt__living_large_star(const paradt_dynamic *d, paradt_index po
     paradt__memory_begin(&memory, &d->options);
     status = paradt__seen_add(&star, paradt__living_get(d, PARADT__CELL, position), &fresh, &memory);
     for (next = 0; next < star.items.count && !status; next++) {
-        const paradt_index place = star.items.items[next], base = place * mesh->corners;
-        paradt_index i;
+        const paradt_index place = star.items.items[next];
         if (paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners) && count++ < capacity)
             cells[count - 1] = place;
-        for (i = base; i < base + mesh->corners && !status; i++) {
-            if (mesh->vertices[i] != position)
-                status = paradt__seen_add(&star, paradt__mesh_cell(mesh, mesh->links[i]), &fresh, &memory);
-        }
+        status = paradt__seen_around(&star, next, mesh, position, &memory);
     }
     paradt__seen_free(&star, &memory);
     return status ? paradt__living_star_of_all(d, position, cells, capacity) : count;
@@ -30018,7 +30023,7 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
     double a[3] = {0}, b[3] = {0}, o[3] = {0}, n[3] = {0}, area[3] = {0}, sum[3] = {0}, reach[3] = {0};
     double along = 0, size = 0, error = 0;
     double arm = 0, step, parts, unit, length = paradt__length_in_unit(h->normal, d, &unit);
-    int j, corners = 0, distant = 0;
+    int j, corners = 0, distant = 0, lost;
     for (j = 0; j < d; j++) {
         o[j] = first[j] - apex[j];
         n[j] = h->normal[j] * unit;
@@ -30068,12 +30073,12 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
         double turn = parts * (4 * size * step + 2 * step * step + (16 + 2 * parts) * PARADT__ROUNDOFF * size * size);
         face->error = 3 * (arm + 2 * error) * turn + 6 * parts * size * size * (2 * error + 8 * PARADT__ROUNDOFF * arm);
     }
-    if (!(length > 0))
-        along = paradt__length_in_unit(d == 2 ? reach : area, d, &length); // the normal is lost: too short
+    lost = !(length > 0); // the normal, which is too short
+    if (lost) along = paradt__length_in_unit(d == 2 ? reach : area, d, &length);
     face->measure = distant ? HUGE_VAL : paradt__abs(along) / (d == 2 ? length : 2 * length);
     for (j = 0; j < d; j++) {
-        double fan = along > 0 || along < 0 ? sum[j] / ((d == 2 ? 2 : 3) * along) : 0;
-        face->centroid[j] = distant ? NAN : first[j] + fan;
+        int known = !distant && !lost && (along > 0 || along < 0);
+        face->centroid[j] = known ? first[j] + sum[j] / ((d == 2 ? 2 : 3) * along) : NAN;
     }
 }
 

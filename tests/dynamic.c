@@ -939,6 +939,33 @@ static void places_are_found(void **state) {
     }
 }
 
+// A set that nothing has changed knows where to start, too: else a search would go through the set from where it was last.
+static void places_are_found_soon_in_a_new_set(void **state) {
+    enum { COUNT = SANITIZED ? 10000 : 40000, QUERIES = 1000 };
+    sample s = family_make(&families[family_named("uniform")], NULL, 2, COUNT, 1);
+    paradt_points points = paradt_points_f64(s.x, (size_t)s.count, 2);
+    uint64_t seed = 3;
+    double seconds[2];
+    paradt_dynamic *d;
+    (void)state;
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    for (int turn = 0; turn < 2; turn++) {
+        clock_t begin = clock();
+        for (int i = 0; i < QUERIES; i++) {
+            int at = random_below(&seed, s.count), other = random_below(&seed, s.count);
+            double x[2] = {s.x[2 * at], s.x[2 * other + 1]};
+            assert_true(paradt_dynamic_locate(d, x, -1).cell >= 0);
+        }
+        seconds[turn] = (double)(clock() - begin) / CLOCKS_PER_SEC;
+        if (!turn) // makes the starts that all later changes have
+            assert_int_equal(paradt_dynamic_insert(d, (const double[2]){0.3, 0.7}, 0, -1, NULL), PARADT_OK);
+    }
+    if (seconds[0] > 6 * seconds[1] + 0.001)
+        fail_msg("%g s in the new set, %g s after a change", seconds[0], seconds[1]);
+    paradt_dynamic_free(d);
+    sample_free(&s);
+}
+
 // A walk may begin outside, at the ghost of a hull facet that the place is on.
 static void vertices_on_the_hull_are_found_from_anywhere(void **state) {
     static const double x[] = {1, -0x1.4p504, 0x1p501, -0x1p500, 1, 0};
@@ -1074,6 +1101,7 @@ int main(void) {
     tests[count++] = named_test(wrong_arguments_are_refused, NULL, "wrong_arguments_are_refused");
     tests[count++] = named_test(updates_tell_what_changed, NULL, "updates_tell_what_changed");
     tests[count++] = named_test(places_are_found, NULL, "places_are_found");
+    tests[count++] = named_test(places_are_found_soon_in_a_new_set, NULL, "places_are_found_soon_in_a_new_set");
     tests[count++] = named_test(vertices_on_the_hull_are_found_from_anywhere, NULL,
                                 "vertices_on_the_hull_are_found_from_anywhere");
     tests[count++] = named_test(killed_cells_have_the_ids_that_they_had, NULL, "killed_cells_have_the_ids_that_they_had");
