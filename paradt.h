@@ -1611,9 +1611,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     Delaunay tree                308   location by the cells that there were
 //   division
 //     regions of fronts            127   owners, joining
-//     fringe                       106   cells that are not a region's own alone
+//     fringe                       111   cells that are not a region's own alone
 //     fields and patches           344   a region's points, its insertion
-//     questions between regions    373   is a cell one of T(P)?
+//     questions between regions    370   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
 //     results of patches           176   dropping, emitting, taking over
 //     known points                 234   what a rank builds
@@ -15713,6 +15713,12 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
 // So if no suspect is in conflict with a missing point, no cell with an own vertex is: then the own points have all
 // their cells of T(P). Whether cells without an own vertex are right does not matter.
 //
+// Of a ghost it suffices to know that no missing point is strictly beyond its facet. A point q in the plane of the
+// facet is in conflict with the ghost only if it is with the cell behind the facet, which has the same own vertices.
+// And the path from a cell need not pass a ghost that has q in its plane: seen from q, lifted, the lower and vertical
+// facets that show their outer sides divide a convex cone, so they are connected by themselves; those in whose planes q
+// is are seen edge-on.
+//
 // A cell or ghost is owned by the last part that has a vertex of it. A part whose points have all their cells has all
 // the cells that it owns.
 //
@@ -15768,16 +15774,15 @@ static paradt_status paradt__fringe_list(paradt__list *fringe, paradt__mesh *mes
     return status;
 }
 
-// Is the cell or ghost a suspect? outer: vertices from this one on may be outside K; marks: NULL, or 1 for those of the
-// vertices [own, outer) that may be, from `own` on. Without branches, which could not be predicted.
+// Is the cell or ghost a suspect? outer: vertices from this one on may be outside K. Without branches, which could not
+// be predicted.
 PARADT__INLINE int paradt__is_suspect(const paradt_index *vertices, size_t corners, paradt_index own,
-                                      paradt_index outer, const unsigned char *marks) {
+                                      paradt_index outer) {
     int own_vertices = paradt__vertices_below(vertices, corners, own), outside = own_vertices == 1;
     size_t i;
     for (i = 0; i < corners; i++) {
         paradt_index vertex = vertices[i];
         outside |= (vertex < 0) | (vertex >= outer);
-        if (marks) outside |= (vertex >= own) & (vertex < outer) & marks[vertex >= own ? vertex - own : 0];
     }
     return (own_vertices > 0) & outside;
 }
@@ -16197,7 +16202,7 @@ PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, s
     for (; !status; place++) {
         status = paradt__fringe_add_next(&patch->fringe, mesh, corners, own, &place, patch->memory);
         if (status || place == mesh->count) break;
-        if (paradt__is_suspect(mesh->vertices + place * corners, corners, own, outer, NULL))
+        if (paradt__is_suspect(mesh->vertices + place * corners, corners, own, outer))
             status = paradt__patch_add_waiting(patch, (paradt_index)place);
     }
     return status;
@@ -16371,10 +16376,7 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     for (; field < end && answer < 0; field++) {
         if (field != patch->own && field->set.count) answer = paradt__patch_ask(patch, field, cell, ghost);
     }
-    if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
-    if (ghost < 0) return PARADT_OK;
-    // A point in the plane of the ghost's facet is in conflict with the ghost if it is with the cell behind the facet.
-    return paradt__patch_add_waiting(patch, paradt__mesh_cell(mesh, mesh->links[cell * mesh->corners + ghost]));
+    return answer >= 0 ? paradt__patch_insert(patch, (size_t)answer, cell) : PARADT_OK;
 }
 
 // --- neighbours learned from other regions
