@@ -1586,7 +1586,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     reach                         96   which cells a region makes and owns, facet by facet
 //     front                        437   what facet by facet has in common
 //     incode                        28   incremental construction
-//     dewall                       162   divide and conquer, merge first
+//     dewall                       176   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
 //     insertion                    299   dig and star, in any dimension
 //     kept spheres                 640   conflict tests by one product, in two and three dimensions
@@ -1619,7 +1619,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     known points                 234   what a rank builds
 //     call                         195   what one call works with; steps
 //     fronts                       105   InCoDe and DeWall from set to mesh
-//     parallel dewall              501   DeWall by tasks
+//     parallel dewall              507   DeWall by tasks
 //     regions of insertion         619   the steps of a divided insertion
 //   entry
 //     methods                      330   one row a method; AUTO's choice
@@ -9482,6 +9482,7 @@ static paradt_status paradt__incode(paradt__front *front) {
 // cell that was made first of all, which may be in no wall, is in the range and crosses alpha, none is missing. Else
 // any cell of T(P) that crosses alpha tells which is the case; one is found by a walk from one side to the other.
 //
+// A region of a front need not make all of a wall. So its facets may lead out of a range, and go back to the caller.
 // Vertices are positions in the set. Doors: paradt__dewall, and for walls that are tasks paradt__wall_of,
 // paradt__wall_begin, paradt__wall_raise, paradt__wall_build, paradt__wall_activate.
 
@@ -9493,6 +9494,7 @@ static paradt_status paradt__incode(paradt__front *front) {
 typedef struct paradt__wall {
     size_t begin, cut, end;       // positions in [begin, cut) are on the plane's one side, [cut, end) on its other
     paradt_index alpha, one, two; // facets that cross the plane, are in [begin, cut), are in [cut, end)
+    paradt_index outside;         // of a region: facets with a vertex outside of [begin, end)
 } paradt__wall;
 
 // Puts an active facet into the wall's list for it. method: the wall
@@ -9508,8 +9510,9 @@ static paradt_status paradt__wall_activate(paradt__front *front, void *method, p
         low = at < low ? at : low;
         high = at > high ? at : high;
     }
-    PARADT_ASSERT(low >= wall->begin && high < wall->end);
-    if (high < wall->cut) head = &wall->one;
+    PARADT_ASSERT(front->view.owner || (low >= wall->begin && high < wall->end));
+    if (low < wall->begin || high >= wall->end) head = &wall->outside;
+    else if (high < wall->cut) head = &wall->one;
     else if (low >= wall->cut) head = &wall->two;
     return paradt__list_push(&front->lists, head, handle, front->memory);
 }
@@ -9565,7 +9568,7 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
 
 // Begins the wall of a range across the grid's plane; a small range is left whole, and a wall's one side is all of it.
 static paradt__wall paradt__wall_of(size_t begin, size_t end) {
-    paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
+    paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
     wall.begin = begin;
     wall.cut = end - begin > PARADT__WALL_SMALL ? paradt__grid_cut(begin, end) : end;
     wall.end = end;
@@ -9587,7 +9590,7 @@ static int paradt__wall_has(const paradt__wall *wall, const paradt_index *cell, 
 // the range that does may be missing. first: the cell that was made first of all
 static paradt_status paradt__wall_begin(paradt__front *front, paradt__wall *wall, const paradt_index *first) {
     paradt_index cell[PARADT_MAX_DIM + 1];
-    if (wall->alpha >= 0 || (wall->one < 0 && wall->two < 0)) return PARADT_OK;
+    if (front->view.owner || wall->alpha >= 0 || (wall->one < 0 && wall->two < 0)) return PARADT_OK;
     if (wall->cut == wall->end || paradt__wall_has(wall, first, front->mesh.corners)) return PARADT_OK;
     if (!paradt__wall_seed(front, wall, cell)) return PARADT_OK;
     return paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, wall);
@@ -9596,35 +9599,46 @@ static paradt_status paradt__wall_begin(paradt__front *front, paradt__wall *wall
 // Makes the cells of the wall, those of the range where it is left whole.
 static paradt_status paradt__wall_raise(paradt__front *front, paradt__wall *wall) {
     paradt_status status;
-    paradt__search_limit(&front->search, wall->begin, wall->end);
+    if (!front->view.owner) paradt__search_limit(&front->search, wall->begin, wall->end);
     status = paradt__wall_expand(front, wall, &wall->alpha);
     return !status && wall->cut == wall->end ? paradt__wall_expand(front, wall, &wall->one) : status;
 }
 
 // Makes the cells of the positions [begin, end). head: list of active facets in the range, emptied; first: the cell
-// that was made first of all. The recursion is as deep as the logarithm of the number of points.
+// that was made first of all; outside: list to which facets that lead out of the range are added. The recursion is as
+// deep as the logarithm of the number of points.
 PARADT__COLD paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
-                                              const paradt_index *first) {
+                                              const paradt_index *first, paradt_index *outside) {
     paradt__wall wall = paradt__wall_of(begin, end);
-    paradt_status status = paradt__wall_distribute(front, &wall, head);
+    paradt_status status;
+    wall.outside = *outside;
+    status = paradt__wall_distribute(front, &wall, head);
     if (!status) status = paradt__wall_begin(front, &wall, first);
-    if (!status) status = paradt__wall_raise(front, &wall);
-    if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, first);
-    if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, first);
+    while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) { // without regions once
+        paradt_index back = PARADT__OPEN;
+        status = paradt__wall_raise(front, &wall);
+        if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, first, &back);
+        if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, first, &back);
+        if (!status) status = paradt__wall_distribute(front, &wall, &back);
+    }
+    *outside = wall.outside;
     return status;
 }
 
 // Makes all cells of the front. On a line facets are points and cross no plane, so there is no wall: InCoDe does it.
 static paradt_status paradt__dewall(paradt__front *front) {
-    paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
     paradt_index cell[PARADT_MAX_DIM + 1];
     size_t count = front->set->count;
-    paradt_status status;
+    paradt_status status = PARADT_OK;
     if (front->set->space.dim == 1) return paradt__incode(front);
-    wall.cut = wall.end = count;
-    (void)paradt__front_seed(front, cell); // there is one
-    status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
-    return status ? status : paradt__wall_build(front, 0, count, &wall.one, cell);
+    while (!status && paradt__front_seed(front, cell)) {
+        paradt_index outside = PARADT__OPEN;
+        paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
+        wall.cut = wall.end = count;
+        status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
+        if (!status) status = paradt__wall_build(front, 0, count, &wall.one, cell, &outside);
+    }
+    return status;
 }
 #endif // PARADT_NO_FRONTS
 
@@ -17546,9 +17560,10 @@ static paradt_status paradt__half_begin(const paradt__work *work, const paradt__
     return status;
 }
 
-// The cell that was made first of all, when the front has begun
-static const paradt_index *paradt__half_first(const paradt__work *work, const paradt__front *front) {
-    return work->mesh.count ? work->mesh.vertices : front->mesh.vertices;
+// Copies the cell that was made first of all, when the front has begun: its mesh may move when it grows.
+static void paradt__half_first(const paradt__work *work, const paradt__front *front, paradt_index *first) {
+    const paradt__mesh *mesh = work->mesh.count ? &work->mesh : &front->mesh;
+    memcpy(first, mesh->vertices, (size_t)mesh->corners * sizeof *first);
 }
 
 // Moves the facets of a work list that are still active to a list that outlives the front.
@@ -17564,13 +17579,14 @@ static paradt_status paradt__half_leave(paradt__front *front, paradt_index *head
 // Builds the wall that halves a range, or all cells of the range.
 static paradt_status paradt__half_build(const paradt__work *work, paradt__half *range, paradt__front *front) {
     paradt__wall wall = paradt__wall_of(range->begin, range->end);
-    const paradt_index *first;
+    paradt_index first[PARADT_MAX_DIM + 1], outside = PARADT__OPEN;
     paradt_status status;
     if (work->level->last) wall.cut = wall.end;
     status = paradt__half_begin(work, range, front, &wall);
-    first = paradt__half_first(work, front);
-    if (!status && work->level->last) return paradt__wall_build(front, range->begin, range->end, &wall.one, first);
-    if (!status) status = paradt__wall_begin(front, &wall, first);
+    if (status) return status;
+    paradt__half_first(work, front, first);
+    if (work->level->last) return paradt__wall_build(front, range->begin, range->end, &wall.one, first, &outside);
+    status = paradt__wall_begin(front, &wall, first);
     if (!status) status = paradt__wall_raise(front, &wall);
     if (!status) status = paradt__half_leave(front, &wall.one, &range->left[0]);
     if (!status) status = paradt__half_leave(front, &wall.two, &range->left[1]);
@@ -17688,10 +17704,14 @@ static void paradt__raise_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     const paradt__half *range = work->level->ranges + index;
     paradt__raised *raised = work->level->raised + index;
+    paradt_index first[PARADT_MAX_DIM + 1];
     paradt_status status = paradt__half_open(work, index, &raised->front);
     raised->wall = paradt__wall_of(range->begin, range->end);
     if (!status) status = paradt__half_begin(work, range, &raised->front, &raised->wall);
-    if (!status) status = paradt__wall_begin(&raised->front, &raised->wall, paradt__half_first(work, &raised->front));
+    if (!status) {
+        paradt__half_first(work, &raised->front, first);
+        status = paradt__wall_begin(&raised->front, &raised->wall, first);
+    }
     paradt__search_limit(&raised->front.search, range->begin, range->end);
     if (!status) status = paradt__round_next(raised);
     work->region[index].status = status;
