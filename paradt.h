@@ -1586,7 +1586,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     reach                         96   which cells a region makes and owns, facet by facet
 //     front                        437   what facet by facet has in common
 //     incode                        28   incremental construction
-//     dewall                       160   divide and conquer, merge first
+//     dewall                       176   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
 //     insertion                    299   dig and star, in any dimension
 //     kept spheres                 640   conflict tests by one product, in two and three dimensions
@@ -1611,15 +1611,15 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     Delaunay tree                308   location by the cells that there were
 //   division
 //     regions of fronts            127   owners, joining
-//     fringe                       106   cells that are not a region's own alone
+//     fringe                       111   cells that are not a region's own alone
 //     fields and patches           344   a region's points, its insertion
-//     questions between regions    373   is a cell one of T(P)?
+//     questions between regions    370   is a cell one of T(P)?
 //     seam                         226   what of the first region's cells is right
 //     results of patches           176   dropping, emitting, taking over
 //     known points                 234   what a rank builds
 //     call                         195   what one call works with; steps
 //     fronts                       105   InCoDe and DeWall from set to mesh
-//     parallel dewall              495   DeWall by tasks
+//     parallel dewall              507   DeWall by tasks
 //     regions of insertion         619   the steps of a divided insertion
 //   entry
 //     methods                      330   one row a method; AUTO's choice
@@ -9477,13 +9477,14 @@ static paradt_status paradt__incode(paradt__front *front) {
 // The planes are those of the grid. So a half is a range of positions, and MakeSimplex searches that range only: all
 // cells with a vertex outside of it are in walls made before.
 //
-// If no active facet crosses alpha, either no cell of the range crosses alpha or no such cell has been made: a facet
-// between a cell of the range that crosses alpha and a cell of another wall would be active and cross alpha. Any cell
-// of T(P) that crosses alpha tells which is the case; one is found by a walk from one side to the other.
+// If no active facet crosses alpha, either no cell of the range that crosses alpha is missing, or no cell that crosses
+// alpha has been made: a facet between a missing one and one that has been made would be active and cross alpha. If the
+// cell that was made first of all, which may be in no wall, is in the range and crosses alpha, none is missing. Else
+// any cell of T(P) that crosses alpha tells which is the case; one is found by a walk from one side to the other.
 //
-// A region need not make all of a wall. Then facets may lead out of a range, and go back to the caller. Vertices are
-// positions in the set. Doors: paradt__dewall, and for walls that are tasks paradt__wall_of, paradt__wall_begin,
-// paradt__wall_raise, paradt__wall_build, paradt__wall_activate.
+// A region of a front need not make all of a wall. So its facets may lead out of a range, and go back to the caller.
+// Vertices are positions in the set. Doors: paradt__dewall, and for walls that are tasks paradt__wall_of,
+// paradt__wall_begin, paradt__wall_raise, paradt__wall_build, paradt__wall_activate.
 
 #if !defined(PARADT__WALL_SMALL) // tests make it smaller
 #define PARADT__WALL_SMALL 64    // so few points are not divided further
@@ -9493,7 +9494,7 @@ static paradt_status paradt__incode(paradt__front *front) {
 typedef struct paradt__wall {
     size_t begin, cut, end;       // positions in [begin, cut) are on the plane's one side, [cut, end) on its other
     paradt_index alpha, one, two; // facets that cross the plane, are in [begin, cut), are in [cut, end)
-    paradt_index outside;         // facets with a vertex outside of [begin, end)
+    paradt_index outside;         // of a region: facets with a vertex outside of [begin, end)
 } paradt__wall;
 
 // Puts an active facet into the wall's list for it. method: the wall
@@ -9509,6 +9510,7 @@ static paradt_status paradt__wall_activate(paradt__front *front, void *method, p
         low = at < low ? at : low;
         high = at > high ? at : high;
     }
+    PARADT_ASSERT(front->view.owner || (low >= wall->begin && high < wall->end));
     if (low < wall->begin || high >= wall->end) head = &wall->outside;
     else if (high < wall->cut) head = &wall->one;
     else if (low >= wall->cut) head = &wall->two;
@@ -9573,11 +9575,24 @@ static paradt__wall paradt__wall_of(size_t begin, size_t end) {
     return wall;
 }
 
-// Adds a cell that crosses the plane, if there are active facets in the range and none of them crosses it.
-static paradt_status paradt__wall_begin(paradt__front *front, paradt__wall *wall) {
+// Is the cell in the range, and does it cross the plane?
+static int paradt__wall_has(const paradt__wall *wall, const paradt_index *cell, int corners) {
+    int i, lower = 0, upper = 0;
+    for (i = 0; i < corners; i++) {
+        size_t at = (size_t)cell[i];
+        lower += at >= wall->begin && at < wall->cut;
+        upper += at >= wall->cut && at < wall->end;
+    }
+    return lower && upper && lower + upper == corners;
+}
+
+// Adds a cell that crosses the plane, if there are active facets in the range, none of them crosses it, and a cell of
+// the range that does may be missing. first: the cell that was made first of all
+static paradt_status paradt__wall_begin(paradt__front *front, paradt__wall *wall, const paradt_index *first) {
     paradt_index cell[PARADT_MAX_DIM + 1];
-    if (wall->alpha >= 0 || wall->cut == wall->end || front->view.owner) return PARADT_OK;
-    if ((wall->one < 0 && wall->two < 0) || !paradt__wall_seed(front, wall, cell)) return PARADT_OK;
+    if (front->view.owner || wall->alpha >= 0 || (wall->one < 0 && wall->two < 0)) return PARADT_OK;
+    if (wall->cut == wall->end || paradt__wall_has(wall, first, front->mesh.corners)) return PARADT_OK;
+    if (!paradt__wall_seed(front, wall, cell)) return PARADT_OK;
     return paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, wall);
 }
 
@@ -9589,20 +9604,21 @@ static paradt_status paradt__wall_raise(paradt__front *front, paradt__wall *wall
     return !status && wall->cut == wall->end ? paradt__wall_expand(front, wall, &wall->one) : status;
 }
 
-// Makes the cells of the positions [begin, end). head: list of active facets in the range, emptied; outside: list to
-// which facets that lead out of the range are added. The recursion is as deep as the logarithm of the number of points.
+// Makes the cells of the positions [begin, end). head: list of active facets in the range, emptied; first: the cell
+// that was made first of all; outside: list to which facets that lead out of the range are added. The recursion is as
+// deep as the logarithm of the number of points.
 PARADT__COLD paradt_status paradt__wall_build(paradt__front *front, size_t begin, size_t end, paradt_index *head,
-                                              paradt_index *outside) {
+                                              const paradt_index *first, paradt_index *outside) {
     paradt__wall wall = paradt__wall_of(begin, end);
     paradt_status status;
     wall.outside = *outside;
     status = paradt__wall_distribute(front, &wall, head);
-    if (!status) status = paradt__wall_begin(front, &wall);
-    while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) {
+    if (!status) status = paradt__wall_begin(front, &wall, first);
+    while (!status && (wall.alpha >= 0 || wall.one >= 0 || wall.two >= 0)) { // without regions once
         paradt_index back = PARADT__OPEN;
         status = paradt__wall_raise(front, &wall);
-        if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, &back);
-        if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, &back);
+        if (!status && wall.one >= 0) status = paradt__wall_build(front, begin, wall.cut, &wall.one, first, &back);
+        if (!status && wall.two >= 0) status = paradt__wall_build(front, wall.cut, end, &wall.two, first, &back);
         if (!status) status = paradt__wall_distribute(front, &wall, &back);
     }
     *outside = wall.outside;
@@ -9620,7 +9636,7 @@ static paradt_status paradt__dewall(paradt__front *front) {
         paradt__wall wall = {0, 0, 0, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN, PARADT__OPEN};
         wall.cut = wall.end = count;
         status = paradt__front_add(front, cell, -1, PARADT__OPEN, paradt__wall_activate, &wall);
-        if (!status) status = paradt__wall_build(front, 0, count, &wall.one, &outside);
+        if (!status) status = paradt__wall_build(front, 0, count, &wall.one, cell, &outside);
     }
     return status;
 }
@@ -15715,6 +15731,12 @@ static paradt_status paradt__regions_join(paradt__mesh *all, paradt__meter *mete
 // So if no suspect is in conflict with a missing point, no cell with an own vertex is: then the own points have all
 // their cells of T(P). Whether cells without an own vertex are right does not matter.
 //
+// Of a ghost it suffices to know that no missing point is strictly beyond its facet. A point q in the plane of the
+// facet is in conflict with the ghost only if it is with the cell behind the facet, which has the same own vertices.
+// And the path from a cell need not pass a ghost that has q in its plane: seen from q, lifted, the lower and vertical
+// facets that show their outer sides divide a convex cone, so they are connected by themselves; those in whose planes q
+// is are seen edge-on.
+//
 // A cell or ghost is owned by the last part that has a vertex of it. A part whose points have all their cells has all
 // the cells that it owns.
 //
@@ -15770,16 +15792,15 @@ static paradt_status paradt__fringe_list(paradt__list *fringe, paradt__mesh *mes
     return status;
 }
 
-// Is the cell or ghost a suspect? outer: vertices from this one on may be outside K; marks: NULL, or 1 for those of the
-// vertices [own, outer) that may be, from `own` on. Without branches, which could not be predicted.
+// Is the cell or ghost a suspect? outer: vertices from this one on may be outside K. Without branches, which could not
+// be predicted.
 PARADT__INLINE int paradt__is_suspect(const paradt_index *vertices, size_t corners, paradt_index own,
-                                      paradt_index outer, const unsigned char *marks) {
+                                      paradt_index outer) {
     int own_vertices = paradt__vertices_below(vertices, corners, own), outside = own_vertices == 1;
     size_t i;
     for (i = 0; i < corners; i++) {
         paradt_index vertex = vertices[i];
         outside |= (vertex < 0) | (vertex >= outer);
-        if (marks) outside |= (vertex >= own) & (vertex < outer) & marks[vertex >= own ? vertex - own : 0];
     }
     return (own_vertices > 0) & outside;
 }
@@ -16199,7 +16220,7 @@ PARADT__INLINE paradt_status paradt__patch_list_suspects(paradt__patch *patch, s
     for (; !status; place++) {
         status = paradt__fringe_add_next(&patch->fringe, mesh, corners, own, &place, patch->memory);
         if (status || place == mesh->count) break;
-        if (paradt__is_suspect(mesh->vertices + place * corners, corners, own, outer, NULL))
+        if (paradt__is_suspect(mesh->vertices + place * corners, corners, own, outer))
             status = paradt__patch_add_waiting(patch, (paradt_index)place);
     }
     return status;
@@ -16373,10 +16394,7 @@ static paradt_status paradt__patch_settle(paradt__patch *patch, paradt_index cel
     for (; field < end && answer < 0; field++) {
         if (field != patch->own && field->set.count) answer = paradt__patch_ask(patch, field, cell, ghost);
     }
-    if (answer >= 0) return paradt__patch_insert(patch, (size_t)answer, cell);
-    if (ghost < 0) return PARADT_OK;
-    // A point in the plane of the ghost's facet is in conflict with the ghost if it is with the cell behind the facet.
-    return paradt__patch_add_waiting(patch, paradt__mesh_cell(mesh, mesh->links[cell * mesh->corners + ghost]));
+    return answer >= 0 ? paradt__patch_insert(patch, (size_t)answer, cell) : PARADT_OK;
 }
 
 // --- neighbours learned from other regions
@@ -17542,6 +17560,12 @@ static paradt_status paradt__half_begin(const paradt__work *work, const paradt__
     return status;
 }
 
+// Copies the cell that was made first of all, when the front has begun: its mesh may move when it grows.
+static void paradt__half_first(const paradt__work *work, const paradt__front *front, paradt_index *first) {
+    const paradt__mesh *mesh = work->mesh.count ? &work->mesh : &front->mesh;
+    memcpy(first, mesh->vertices, (size_t)mesh->corners * sizeof *first);
+}
+
 // Moves the facets of a work list that are still active to a list that outlives the front.
 static paradt_status paradt__half_leave(paradt__front *front, paradt_index *head, paradt__list *left) {
     paradt_status status = PARADT_OK;
@@ -17555,12 +17579,14 @@ static paradt_status paradt__half_leave(paradt__front *front, paradt_index *head
 // Builds the wall that halves a range, or all cells of the range.
 static paradt_status paradt__half_build(const paradt__work *work, paradt__half *range, paradt__front *front) {
     paradt__wall wall = paradt__wall_of(range->begin, range->end);
-    paradt_index outside = PARADT__OPEN;
+    paradt_index first[PARADT_MAX_DIM + 1], outside = PARADT__OPEN;
     paradt_status status;
     if (work->level->last) wall.cut = wall.end;
     status = paradt__half_begin(work, range, front, &wall);
-    if (!status && work->level->last) return paradt__wall_build(front, range->begin, range->end, &wall.one, &outside);
-    if (!status) status = paradt__wall_begin(front, &wall);
+    if (status) return status;
+    paradt__half_first(work, front, first);
+    if (work->level->last) return paradt__wall_build(front, range->begin, range->end, &wall.one, first, &outside);
+    status = paradt__wall_begin(front, &wall, first);
     if (!status) status = paradt__wall_raise(front, &wall);
     if (!status) status = paradt__half_leave(front, &wall.one, &range->left[0]);
     if (!status) status = paradt__half_leave(front, &wall.two, &range->left[1]);
@@ -17678,10 +17704,14 @@ static void paradt__raise_task(void *context, size_t index) {
     paradt__work *work = (paradt__work *)context;
     const paradt__half *range = work->level->ranges + index;
     paradt__raised *raised = work->level->raised + index;
+    paradt_index first[PARADT_MAX_DIM + 1];
     paradt_status status = paradt__half_open(work, index, &raised->front);
     raised->wall = paradt__wall_of(range->begin, range->end);
     if (!status) status = paradt__half_begin(work, range, &raised->front, &raised->wall);
-    if (!status) status = paradt__wall_begin(&raised->front, &raised->wall);
+    if (!status) {
+        paradt__half_first(work, &raised->front, first);
+        status = paradt__wall_begin(&raised->front, &raised->wall, first);
+    }
     paradt__search_limit(&raised->front.search, range->begin, range->end);
     if (!status) status = paradt__round_next(raised);
     work->region[index].status = status;

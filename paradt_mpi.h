@@ -2523,8 +2523,14 @@ PARADT__INLINE void paradt_mpi__cell(const paradt_mpi__work *w, size_t k, size_t
 // While points are inserted, not all cells need be looked at. Let K be the box in which all points are known
 // (w->complete) and q a point that is not known. K is convex, so q is outside K. As shown in >>fringe of paradt.h, if
 // q is in conflict with any cell that has an own vertex, it is in conflict with a suspect: a ghost, a cell with a
-// vertex outside K, or a cell with just one own vertex, all of which are in the fringe. So the search starts at the
-// suspects and goes on through facets from each cell that is exposed: one whose sphere is not inside K.
+// vertex outside K, or a cell with just one own vertex, all of which are in the fringe. The search starts at the ghosts
+// and the cells with just one own vertex, and goes on through facets from each cell that is exposed: one whose sphere
+// is not inside K. So it comes to all suspects. For cells with own vertices and vertices outside K are exposed. Suppose
+// that from one of them none of those where the search starts is reached through such cells. Each facet of theirs has
+// an own vertex then, hence all cells around each of their vertices outside K are such cells, and no ghost is. Let x be
+// the one of these vertices that is farthest beyond one side of K. The cells around x surround it, so one of them has a
+// vertex that is still farther, and it is one of these vertices, too. (Where K is empty, and with weights, all cells
+// with own and others' vertices are exposed; then the own points' bounding box takes the place of K here.)
 //
 // Errors of floating-point arithmetic only add questions. Nothing here is collective but paradt_mpi__set_budget.
 //
@@ -2578,15 +2584,6 @@ static int paradt_mpi__was_sent_cell(const paradt_mpi__work *w, int rank, const 
     return 1;
 }
 
-// Is a vertex of the cell a point of the rank?
-static int paradt_mpi__has_vertex_of(const paradt_mpi__work *w, int rank, const paradt_index *cell) {
-    int i;
-    for (i = 0; i <= w->set.space.dim; i++) {
-        if (paradt_mpi__home_of(w, cell[i]).rank == rank) return 1;
-    }
-    return 0;
-}
-
 // May one of the rank's boxes contain an answer to the question that the search is set to?
 static int paradt_mpi__boxes_may_answer(const paradt_mpi__work *w, int rank) {
     const paradt_mpi__directory *d = &w->directory;
@@ -2609,11 +2606,9 @@ static unsigned paradt_mpi__ranks_may_answer(const paradt_mpi__work *w, int grou
 // asked.
 static paradt_status paradt_mpi__ask_rank(paradt_mpi__work *w, paradt_mpi__questions *q, int rank,
                                           const paradt_index *cell, size_t place, int opposite) {
-    if (paradt_mpi__was_sent_cell(w, rank, cell)) return PARADT_OK;
-    // A rank with a vertex of the cell is asked with weights only; without, it was sent all own vertices.
-    if ((opposite < 0 && paradt_mpi__has_vertex_of(w, rank, cell)) || paradt_mpi__boxes_may_answer(w, rank))
-        return paradt_mpi__ask(w, q, rank, (paradt_index)place, opposite);
-    return PARADT_OK;
+    // A rank with a vertex of the cell, which is on its sphere, has a box that may contain an answer.
+    if (paradt_mpi__was_sent_cell(w, rank, cell) || !paradt_mpi__boxes_may_answer(w, rank)) return PARADT_OK;
+    return paradt_mpi__ask(w, q, rank, (paradt_index)place, opposite);
 }
 
 // Lists the question that the search is set to for all ranks that must be asked.
@@ -2833,21 +2828,6 @@ PARADT__INLINE paradt_status paradt_mpi__list_cell_vertices(paradt_mpi__work *w,
     return paradt_mpi__list_cell_unsent(w, list, k, cell);
 }
 
-// Returns a new array, [known - set.count + 1], that marks which of the others' points are not strictly inside the
-// complete box; NULL when there is no memory. With weights all are marked, as a cell with another rank's vertex may be
-// in conflict with a heavy point far from its sphere. The last element is unused, so that the array is never empty.
-static unsigned char *paradt_mpi__mark_outer(paradt_mpi__work *w) {
-    size_t others = w->known - w->set.count, i;
-    unsigned char *outer = (unsigned char *)paradt__alloc(&w->memory, others + 1, 1);
-    for (i = 0; outer && i < others; i++) {
-        const double *x = paradt__record(&w->set, (paradt_index)(w->set.count + i));
-        int j = 0;
-        while (j < w->set.space.dim && x[j] > w->complete[2 * j] && x[j] < w->complete[2 * j + 1]) j++;
-        outer[i] = w->weighted || j < w->set.space.dim;
-    }
-    return outer;
-}
-
 // Prefetches what the queue's next entries need: their rows first, and later what the rows refer to.
 PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, size_t k, const paradt_mpi__queue *list,
                                             size_t at) {
@@ -2857,10 +2837,10 @@ PARADT__INLINE void paradt_mpi__fetch_ahead(const paradt_mpi__work *w, size_t k,
     if (at + SOON < list->count) paradt__scene_fetch_around(paradt__known_scene(&w->engine), k, list->items[at + SOON]);
 }
 
-// Lists the fringe in the engine. Of the cells and ghosts in it that have own vertices, queues the suspects and lists
-// vertices to be sent. k: vertices a cell; outer: see paradt_mpi__mark_outer
+// Lists the fringe in the engine. Of the cells and ghosts in it that have own vertices, queues those where the search
+// starts and lists vertices to be sent. k: vertices a cell
 PARADT__INLINE paradt_status paradt_mpi__scan_fringe(paradt_mpi__work *w, paradt_mpi__questions *q, size_t k,
-                                                     paradt_mpi__queue *suspects, const unsigned char *outer) {
+                                                     paradt_mpi__queue *list) {
     const paradt__mesh *cells = paradt__known_mesh(&w->engine);
     paradt_index own = (paradt_index)w->set.count;
     paradt_status status = PARADT_OK;
@@ -2874,18 +2854,17 @@ PARADT__INLINE paradt_status paradt_mpi__scan_fringe(paradt_mpi__work *w, paradt
         own_count = paradt__vertices_below(cell, k, own);
         if (!own_count) continue;
         status = paradt_mpi__list_cell_vertices(w, &q->to_send, k, cell);
-        if (!status && paradt__is_suspect(cell, k, own, PARADT__NOWHERE, outer))
-            status = paradt_mpi__enqueue(w, suspects, at);
+        if (!status && paradt__is_suspect(cell, k, own, PARADT__NOWHERE)) status = paradt_mpi__enqueue(w, list, at);
     }
     return status;
 }
 
-// Lists the questions while points are inserted: about the suspects, and about what is reached from them through
-// exposed cells (see the head of this section). No sphere in conflict with an unknown point is inside the complete box;
-// cells without own vertices do not matter and are not passed.
+// Lists the questions while points are inserted: about ghosts and cells with just one own vertex, and about what is
+// reached from them through exposed cells (see the head of this section). No sphere in conflict with an unknown point
+// is inside the complete box; cells without own vertices do not matter and are not passed.
 PARADT__INLINE paradt_status paradt_mpi__ask_from_fringe(paradt_mpi__work *w, paradt_mpi__questions *q, size_t k,
-                                                         paradt_mpi__queue *list, const unsigned char *outer) {
-    paradt_status status = paradt_mpi__scan_fringe(w, q, k, list, outer);
+                                                         paradt_mpi__queue *list) {
+    paradt_status status = paradt_mpi__scan_fringe(w, q, k, list);
     size_t at, j;
     int exposed;
     for (at = 0; at < list->count && !status && !w->too_costly; at++) {
@@ -2899,19 +2878,16 @@ PARADT__INLINE paradt_status paradt_mpi__ask_from_fringe(paradt_mpi__work *w, pa
     return status;
 }
 
-// Makes the marks that paradt_mpi__ask_from_fringe needs, calls it, and takes the marks away.
+// Calls paradt_mpi__ask_from_fringe, and takes its marks away.
 static paradt_status paradt_mpi__collect_from_fringe(paradt_mpi__work *w, paradt_mpi__questions *q) {
-    unsigned char *outer = paradt_mpi__mark_outer(w);
     paradt_mpi__queue list;
     paradt_status status;
     size_t at;
     memset(&list, 0, sizeof list);
-    if (!outer) status = PARADT_ERROR_MEMORY;
-    else if (w->set.space.dim == 3) status = paradt_mpi__ask_from_fringe(w, q, 4, &list, outer);
-    else status = paradt_mpi__ask_from_fringe(w, q, (size_t)w->set.space.dim + 1, &list, outer);
+    if (w->set.space.dim == 3) status = paradt_mpi__ask_from_fringe(w, q, 4, &list);
+    else status = paradt_mpi__ask_from_fringe(w, q, (size_t)w->set.space.dim + 1, &list);
     for (at = 0; at < list.count; at++) paradt__known_wait_no_more(&w->engine, list.items[at]);
     paradt__release(&w->memory, list.items);
-    paradt__release(&w->memory, outer);
     return status;
 }
 

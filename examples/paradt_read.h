@@ -2179,11 +2179,11 @@ static int paradt_io__is_atom(const paradt_io__reader *r) {
 }
 
 // Does the line end the first model?
-static int paradt_io__ends_model(paradt_io__reader *r, int *models) {
+static int paradt_io__ends_model(const paradt_io__reader *r) {
     const char *word;
     paradt_io__reader at = *r;
     size_t n = paradt_io__token(&at, &word);
-    if (paradt_io__is(word, n, "MODEL")) return (*models)++ || r->count;
+    if (paradt_io__is(word, n, "MODEL")) return r->count > 0;
     return paradt_io__is(word, n, "END") || paradt_io__is(word, n, "ENDMDL");
 }
 
@@ -2201,13 +2201,13 @@ static void paradt_io__note_atoms(paradt_io__reader *r) {
 static int paradt_io__read_records(paradt_io__reader *r,
                                    int (*read)(paradt_io__reader *r, paradt_io__alternates *alternates)) {
     paradt_io__alternates alternates;
-    int models = 0, good = 1;
+    int good = 1;
     if (!paradt_io__settle_dim(r, 3)) return 0;
     r->radii = 1;
     paradt_io__alternates_begin(&alternates);
     while (good && paradt_io__next_line(r)) {
         if (paradt_io__is_atom(r)) good = read(r, &alternates);
-        else if (paradt_io__ends_model(r, &models)) {
+        else if (paradt_io__ends_model(r)) {
             if (r->count) paradt_io__note_atoms(r);
             break;
         }

@@ -242,6 +242,8 @@ report $? a_hundred_ranks_one_at_a_time_have_the_cells_of_one "$work/log"
 $CC -O2 -Wall -Wextra -Wshadow -Wno-unused-function -Werror -Itests/bench/alone -I. -o "$work/ranks" \
     tests/programs/ranks.c -pthread -lm 2>"$work/log" && timeout 300 "$work/ranks" 500 >>"$work/log" 2>&1
 report $? small_sets_on_up_to_twelve_ranks_have_the_serial_cells "$work/log"
+timeout 300 "$work/ranks" 100 weights >"$work/log" 2>&1
+report $? so_they_have_with_weights "$work/log"
 if runner=$(sh tests/programs/runner_32.sh "$CC" -m32 -msse2); then
     $CC -m32 -msse2 -mfpmath=sse -O2 -w -Itests/bench/alone -I. -o "$work/ranks" tests/programs/ranks.c -pthread -lm \
         2>"$work/log" && timeout 300 $runner "$work/ranks" 100 >>"$work/log" 2>&1

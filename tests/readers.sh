@@ -98,6 +98,8 @@ while IFS='|' read -r name arguments file contents due; do
     prints "$name" "$due" $arguments "$file"
 done <<'TABLE'
 halves_become_even||a.txt|9007199254740993 9007199254740995\n|9007199254740992 9007199254740996;
+digits_beyond_the_nineteenth_decide||a.txt|9007199254740993.00000000 9007199254740993.00000001\n|9007199254740992 9007199254740994;
+digits_beyond_the_nineteenth_count||a.txt|12345678901234567890000 1\n|1.2345678901234568e+22 1;
 comment_signs||a.txt|# a\n%% b\n// c\n! d\n1 2\n  %% e\n3 4 # f\n|1 2;3 4;
 several_title_lines||a.csv|Run of Monday\nx,y\n"in m","in m"\n1,2\n3,5\n|1 2;3 5;
 titles_in_any_case_and_order||a.csv|Z;Name;Y;X\n3;a;2;1\n6;b;5;4\n|1 2 3;4 5 6;
@@ -147,6 +149,7 @@ dump_of_scaled_atoms||a.lammpstrj|ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nI
 dump_with_radii|--weights|a.dump|ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS radius xu yu zu\n3 1 2 4\n|1 2 4 9;
 pqr|--weights|a.pqr|REMARK\nATOM 1 N ALA 1 1.5 2 3 -0.3 2\nATOM 2 N ALA A 1 4 5 6 -0.3 3\nTER\nEND\n|1.5 2 3 4;4 5 6 9;
 a_second_model_ends_the_first||a.pdb|MODEL        1\nATOM      1  N   ALA A   1       1.000   2.000   3.000\nMODEL        2\nATOM      1  N   ALA A   1       4.000   5.000   6.000\n|1 2 3;
+a_model_behind_atoms_ends_these||a.pdb|ATOM      1  N   ALA A   1       1.000   2.000   3.000\nMODEL        2\nATOM      1  N   ALA A   1       4.000   5.000   6.000\n|1 2 3;
 mmcif|--weights|a.cif|data_1\n_entry.id 1\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_alt_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.pdbx_PDB_model_num\nC "C1'" . 1 2 3 1\nO 'O a' A 4 5 6 1\nO 'O a' B 4 5 7 1\nN N . 8 8 8 2\n#\n|1 2 3 2.8899999999999997;4 5 6 2.3104; [1 alternate location is left out; the first of each atom is kept]
 obj_with_colours||a.obj|v 1 2 3 .5 .5 .5\nvt 0 0\nv 4 5 6 .5 .5 .5\nf 1 2 2\n|1 2 3;4 5 6;
 obj_with_weights|--weights|a.obj|v 1 2 3 4\n|1 2 3 4;
@@ -197,6 +200,7 @@ changing_commas|3|2: decimal commas, or commas between||a.txt|1,2\n1,5;2\n
 thousands|3|'1.234' is not a number||a.csv|1.234,5;2\n
 a_short_row_with_decimal_commas|3|2: 1 number where 2 are needed||a.csv|0,5;2\n1,5\n
 a_count_that_is_wrong|3|3 points announced, but there are 2||a.txt|3\n1 2\n3 5\n
+a_count_that_is_too_small|3|2 points announced, but there are 3||a.txt|2\n1 2\n3 5\n7 4\n
 a_node_file_called_text|3|that of a .node file; rename it||a.txt|3 2 0\n1 0 0\n2 1 0\n3 0 1\n
 a_first_row_in_brackets|3|1: '(0' is not a number||a.txt|(0 1)\n2 3\n
 blanks_within_numbers|3|1: ';' is missing between two numbers, or a blank is within one||a.csv|1 000,5;2\n

@@ -92,6 +92,98 @@ static void small_sets_between_walls_have_the_cells_of_insertion(void **unused) 
     }
 }
 
+// The cell that is made first, in no wall, may be all that crosses a later plane: then nothing is missing there.
+static void a_dense_part_by_walls_that_are_tasks_has_the_cells_of_insertion(void **unused) {
+    (void)unused;
+    for (uint64_t number = 1; number <= 3000 / (SANITIZED ? 10 : 1); number++) {
+        sample s;
+        paradt_options options = {0};
+        paradt_triangulation inserted, t;
+        paradt_points points;
+        state = number * 0x9e3779b97f4a7c15u;
+        s = sample_make("a dense part", 2, 70 + below(100));
+        for (int i = 0; i < 2 * s.count; i++)
+            s.x[i] = random_unit(&state) * (i / 2 % 3 ? 0.3 : 1);
+        points = points_of(&s);
+        options.method = PARADT_BOWYER_WATSON;
+        assert_int_equal(paradt_triangulate(&inserted, &points, &options), PARADT_OK);
+        options.method = PARADT_DEWALL;
+        options.regions = 5 + (size_t)below(5);
+        options.partition = below(2) ? PARADT_UNIFORM : PARADT_BISECTION;
+        watch(&s, 60);
+        assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+        watch(NULL, 0);
+        if (paradt_hash(&t) != paradt_hash(&inserted))
+            fail_on_sample(&s, "other cells by walls that are tasks");
+        paradt_free(&t);
+        paradt_free(&inserted);
+        sample_free(&s);
+    }
+}
+
+// Points so near a tilted plane that the next vertex is all but in the facet's plane: floating point knows a limit of its sphere.
+static void points_near_a_tilted_plane_have_the_cells_of_insertion(void **unused) {
+    (void)unused;
+    for (uint64_t number = 1; number <= 4000 / (SANITIZED ? 10 : 1); number++) {
+        sample s;
+        paradt_options options = {0};
+        paradt_triangulation inserted, t;
+        paradt_points points;
+        int a, b, lattice;
+        state = number * 0x9e3779b97f4a7c15u;
+        s = sample_make("near a tilted plane", 3, 5 + below(60));
+        a = below(8), b = 1 + below(8), lattice = below(2);
+        for (int i = 0; i < s.count; i++) {
+            double *x = s.x + 3 * i;
+            for (int k = 0; k < 2; k++)
+                x[k] = lattice ? below(256) : random_unit(&state);
+            x[2] = a * x[0] + b * x[1];
+            if (below(3))
+                x[2] += (x[2] + 1) * ldexp(random_unit(&state) - 0.5, -below(52));
+        }
+        points = points_of(&s);
+        options.method = PARADT_BOWYER_WATSON;
+        assert_int_equal(paradt_triangulate(&inserted, &points, &options), PARADT_OK);
+        options.method = PARADT_INCODE;
+        watch(&s, 60);
+        assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+        watch(NULL, 0);
+        if (paradt_hash(&t) != paradt_hash(&inserted))
+            fail_on_sample(&s, "other cells facet by facet");
+        paradt_free(&t);
+        paradt_free(&inserted);
+        sample_free(&s);
+    }
+}
+
+// The first simplex has points on its border, while some of its ghosts are still alive.
+static void few_points_of_a_lattice_have_the_same_cells_by_flips(void **unused) {
+    (void)unused;
+    for (uint64_t number = 1; number <= 4000 / (SANITIZED ? 10 : 1); number++) {
+        const int dim = 2 + (int)(number % 2);
+        sample s;
+        paradt_options options = {0};
+        paradt_triangulation inserted, t;
+        paradt_points points;
+        state = number * 0x9e3779b97f4a7c15u;
+        s = sample_make("few points", dim, dim + 2 + below(6));
+        for (int i = 0; i < s.count * dim; i++)
+            s.x[i] = below(3);
+        points = points_of(&s);
+        options.method = PARADT_BOWYER_WATSON;
+        assert_int_equal(paradt_triangulate(&inserted, &points, &options), PARADT_OK);
+        options.method = PARADT_FLIP;
+        watch(&s, 60);
+        assert_int_equal(paradt_triangulate(&t, &points, &options), PARADT_OK);
+        watch(NULL, 0);
+        if (paradt_hash(&t) != paradt_hash(&inserted))
+            fail_on_sample(&s, "other cells by flips");
+        paradt_free(&t);
+        paradt_free(&inserted);
+        sample_free(&s);
+    }
+}
+
 // With and without weights, by which many points are hidden when they come, or later.
 static void small_sets_have_the_same_cells_by_every_method(void **unused) {
     (void)unused;
@@ -130,6 +222,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(small_sets_in_regions_have_the_cells_of_one),
         cmocka_unit_test(small_sets_between_walls_have_the_cells_of_insertion),
+        cmocka_unit_test(a_dense_part_by_walls_that_are_tasks_has_the_cells_of_insertion),
+        cmocka_unit_test(points_near_a_tilted_plane_have_the_cells_of_insertion),
+        cmocka_unit_test(few_points_of_a_lattice_have_the_same_cells_by_flips),
         cmocka_unit_test(small_sets_have_the_same_cells_by_every_method),
     };
     return cmocka_run_group_tests_name("small_sets", tests, NULL, NULL);
