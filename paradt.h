@@ -1596,7 +1596,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     insertion by spheres         219   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            144   the same for the plane
-//     inserting                    239   insertions from begin to end
+//     inserting                    240   insertions from begin to end
 //     planes                       357   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
@@ -1648,7 +1648,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      458   one point comes, goes or moves; the set anew
+//     changes of a living set      465   one point comes, goes or moves; the set anew
 //     making a living set          262   the set anew
 //     living set                   454   the entry
 //     reading a living set         259   cells, stars, places and what is nearest, without a change
@@ -8198,7 +8198,7 @@ PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const 
         a_bound += p->q.round * paradt__abs(gain);
     }
     p->limit = !(size > 0.5 * paradt__abs(n)) && p->sided && a < -a_bound;
-    if (p->limit) {                                          // t is negative, and at most that of the largest N
+    if (p->limit) { // t is negative, and at most that of the largest N. Without this nothing would be ruled out
         n = (paradt__abs(n) + n_bound) * (1.0 + p->q.round); // n_bound lacks LEAST_N, far less than its own roundings
         a += a_bound;
         size = n;
@@ -12725,7 +12725,8 @@ PARADT__OPTIONAL void paradt__kept_fetch_around(const paradt__insertion *build, 
 }
 
 // Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
-// is known. Then one is found by a walk by orientations, as the spheres on the way are in no table.
+// is known. Then one is found by a walk by orientations, as the spheres on the way are in no table. That is for speed
+// alone: the insertion itself goes on to search, wherever it begins.
 PARADT__OPTIONAL paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point,
                                                        paradt_index cell) {
     paradt__kept *kept = build->kept;
@@ -26960,6 +26961,13 @@ static paradt_status paradt__living_note_weight(paradt_dynamic *d, paradt_index 
 // Do the cells around a vertex stay what they are when the vertex is elsewhere? They do if each remains positively
 // oriented, for then they cover the same part of space, and if each facet of them remains locally regular: that proves
 // that they are of T(P). Vertices of the hull are not looked at. The cells are build->update.killed.
+//
+// Orientations are looked at first because that is cheaper; a cell that is turned over never has all facets around it
+// locally regular. Let H be the star, a ball, and look from where the vertex goes to along rays. Behind the cells in
+// conflict with it the slope of its lifted connection to H's boundary grows, and so where a ray comes into H again and
+// leaves it, the cells on both boundaries would meet, at a silhouette, in a facet that is not locally regular. So what
+// is hidden from it behind a part of H's outside stays apart from the rest of the outside on all rays; but the outside
+// of a ball is connected.
 static int paradt__living_stays(paradt_dynamic *d, const double *record) {
     paradt__insertion *build = &d->build;
     paradt__scene *scene = &build->scene;
