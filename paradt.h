@@ -1557,7 +1557,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        197   progress, teams, pauses, the clock
 //   predicates
-//     space                        298   what the predicates know of a set
+//     space                        304   what the predicates know of a set
 //     filters                      222   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        622   signs in integers
@@ -1637,7 +1637,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               286   a vertex near any place
-//     distances                    162   which of two vertices is nearer
+//     distances                    164   which of two vertices is nearer
 //     nearest                      154   the nearest vertex
 //     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
@@ -2573,7 +2573,13 @@ static double paradt__quantum(int exponent) {
 //   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 5 + l
 // To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The higher
 // orders, the errors of the computed m_j (n u at most), and the roundings of the bound itself are less than 2^9 u of
-// that in all, for which the factor is larger by 2^-40. tests/bounds.c finds errors of a third of these bounds.
+// that in all, for which the factor is larger by 2^-40. tests/bounds.c finds errors of 0.73 of the bound for two
+// columns, a third for three, a quarter to a fifth for four, a seventh for five. In three and more columns not all
+// terms can be extreme at once: a sum's rounding is counted in the sizes of the sum's terms, but is relative to the
+// sum; that would be n! P in the end if all monomials had one sign, and is h P at most (Hadamard's bound, see below),
+// which is 5.2 of 6, 16 of 24, 56 of 120. In the bound for all points of a set, which sides of cells are compared with,
+// too, m_j is the set's extent: seen from one point, differences as long as that have one sign on each axis, and a
+// determinant of such rows is at most 2 of 6 P in three columns, 3 of 24 P in four.
 //
 // Elimination with row pivoting (all other k). Entries begin with errors of at most 12 u m_j. After t steps they are at
 // most 2^t m_j in size, as multipliers are at most 1 in size; a multiplier, by a division or a product with a
@@ -23173,9 +23179,11 @@ PARADT__OPTIONAL paradt_status paradt__starts_make(paradt__starts *starts, const
 //
 // The bound: each square has been rounded three times, the sum of d <= 8 squares and the weight eight times at most, so
 // the error is less than 12 roundoffs times the sum of the sizes, to first order; twice that covers the higher orders
-// and the rounding of the bound itself. Underflow is covered by the space's `tiny`. The place must be admitted, and the
-// space's filters tell whether anything could overflow: without them all is done in integers.
-// Doors: paradt__power_at, paradt__compare_powers, paradt__compare_radius.
+// and the rounding of the bound itself. One factor serves all dimensions: in the plane the error is four roundoffs at
+// most, in space five, with weights one more, a sixth and a fifth of the bound, and tests/bounds.c comes to that.
+// Underflow is covered by the space's `tiny`. The place must be admitted, and the space's filters tell whether anything
+// could overflow: without them all is done in integers. Doors: paradt__power_at, paradt__compare_powers,
+// paradt__compare_radius.
 
 #define PARADT__POWER_FACTOR (24 * PARADT__ROUNDOFF)
 
