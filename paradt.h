@@ -1557,7 +1557,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        197   progress, teams, pauses, the clock
 //   predicates
-//     space                        298   what the predicates know of a set
+//     space                        304   what the predicates know of a set
 //     filters                      222   signs in floating point, with error bounds
 //     digits                       132   integers of many digits
 //     exact                        622   signs in integers
@@ -1596,7 +1596,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     insertion by spheres         219   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            144   the same for the plane
-//     inserting                    239   insertions from begin to end
+//     inserting                    240   insertions from begin to end
 //     planes                       357   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
@@ -1637,7 +1637,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               287   a vertex near any place
-//     distances                    162   which of two vertices is nearer
+//     distances                    164   which of two vertices is nearer
 //     nearest                      163   the nearest vertex
 //     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
@@ -1648,7 +1648,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      458   one point comes, goes or moves; the set anew
+//     changes of a living set      465   one point comes, goes or moves; the set anew
 //     making a living set          267   the set anew
 //     living set                   464   the entry
 //     reading a living set         255   cells, stars, places and what is nearest, without a change
@@ -2573,7 +2573,13 @@ static double paradt__quantum(int exponent) {
 //   k = 4  4 + 2 pairs' 4 + 6 = 14; with the lift 14 + 5 + l
 // To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The higher
 // orders, the errors of the computed m_j (n u at most), and the roundings of the bound itself are less than 2^9 u of
-// that in all, for which the factor is larger by 2^-40. tests/bounds.c finds errors of a third of these bounds.
+// that in all, for which the factor is larger by 2^-40. tests/bounds.c finds errors of 0.73 of the bound for two
+// columns, a third for three, a quarter to a fifth for four, a seventh for five. In three and more columns not all
+// terms can be extreme at once: a sum's rounding is counted in the sizes of the sum's terms, but is relative to the
+// sum; that would be n! P in the end if all monomials had one sign, and is h P at most (Hadamard's bound, see below),
+// which is 5.2 of 6, 16 of 24, 56 of 120. In the bound for all points of a set, which sides of cells are compared with,
+// too, m_j is the set's extent: seen from one point, differences as long as that have one sign on each axis, and a
+// determinant of such rows is at most 2 of 6 P in three columns, 3 of 24 P in four.
 //
 // Elimination with row pivoting (all other k). Entries begin with errors of at most 12 u m_j. After t steps they are at
 // most 2^t m_j in size, as multipliers are at most 1 in size; a multiplier, by a division or a product with a
@@ -8198,7 +8204,7 @@ PARADT__INLINE void paradt__pencil_set_sphere_of_shape(paradt__pencil *p, const 
         a_bound += p->q.round * paradt__abs(gain);
     }
     p->limit = !(size > 0.5 * paradt__abs(n)) && p->sided && a < -a_bound;
-    if (p->limit) {                                          // t is negative, and at most that of the largest N
+    if (p->limit) { // t is negative, and at most that of the largest N. Without this nothing would be ruled out
         n = (paradt__abs(n) + n_bound) * (1.0 + p->q.round); // n_bound lacks LEAST_N, far less than its own roundings
         a += a_bound;
         size = n;
@@ -12741,7 +12747,8 @@ PARADT__OPTIONAL void paradt__kept_fetch_around(const paradt__insertion *build, 
 }
 
 // Inserts one more point; build->count has been increased by 1. cell: a cell in conflict with the point; negative: none
-// is known. Then one is found by a walk by orientations, as the spheres on the way are in no table.
+// is known. Then one is found by a walk by orientations, as the spheres on the way are in no table. That is for speed
+// alone: the insertion itself goes on to search, wherever it begins.
 PARADT__OPTIONAL paradt_status paradt__insert_one_more(paradt__insertion *build, paradt_index point,
                                                        paradt_index cell) {
     paradt__kept *kept = build->kept;
@@ -23195,9 +23202,11 @@ PARADT__OPTIONAL paradt_status paradt__starts_make(paradt__starts *starts, const
 //
 // The bound: each square has been rounded three times, the sum of d <= 8 squares and the weight eight times at most, so
 // the error is less than 12 roundoffs times the sum of the sizes, to first order; twice that covers the higher orders
-// and the rounding of the bound itself. Underflow is covered by the space's `tiny`. The place must be admitted, and the
-// space's filters tell whether anything could overflow: without them all is done in integers.
-// Doors: paradt__power_at, paradt__compare_powers, paradt__compare_radius.
+// and the rounding of the bound itself. One factor serves all dimensions: in the plane the error is four roundoffs at
+// most, in space five, with weights one more, a sixth and a fifth of the bound, and tests/bounds.c comes to that.
+// Underflow is covered by the space's `tiny`. The place must be admitted, and the space's filters tell whether anything
+// could overflow: without them all is done in integers. Doors: paradt__power_at, paradt__compare_powers,
+// paradt__compare_radius.
 
 #define PARADT__POWER_FACTOR (24 * PARADT__ROUNDOFF)
 
@@ -26992,6 +27001,13 @@ static paradt_status paradt__living_note_weight(paradt_dynamic *d, paradt_index 
 // Do the cells around a vertex stay what they are when the vertex is elsewhere? They do if each remains positively
 // oriented, for then they cover the same part of space, and if each facet of them remains locally regular: that proves
 // that they are of T(P). Vertices of the hull are not looked at. The cells are build->update.killed.
+//
+// Orientations are looked at first because that is cheaper; a cell that is turned over never has all facets around it
+// locally regular. Let H be the star, a ball, and look from where the vertex goes to along rays. Behind the cells in
+// conflict with it the slope of its lifted connection to H's boundary grows, and so where a ray comes into H again and
+// leaves it, the cells on both boundaries would meet, at a silhouette, in a facet that is not locally regular. So what
+// is hidden from it behind a part of H's outside stays apart from the rest of the outside on all rays; but the outside
+// of a ball is connected.
 static int paradt__living_stays(paradt_dynamic *d, const double *record) {
     paradt__insertion *build = &d->build;
     paradt__scene *scene = &build->scene;
