@@ -21,12 +21,11 @@ program=$1
 name=$(echo "${program#build/coverage/}" | tr / -)
 [ -x "$program" ] || { echo "$name did not build" && exit; }
 export LLVM_PROFILE_FILE="build/coverage/raw/$name-%m.profraw"
-run() { timeout -k 5 $SECONDS_EACH "$@" >>"build/coverage/logs/$name.log" 2>&1 || echo "$name failed: see build/coverage/logs/$name.log"; }
+run() { timeout -k 5 $SECONDS_EACH "$@" </dev/null >>"build/coverage/logs/$name.log" 2>&1 || echo "$name failed: see build/coverage/logs/$name.log"; }
 case $name in
 *fuzz_*) run "$program" fuzz/corpus/"${name#*fuzz_}"/* ;;
-ranks) run "$program" 300 && run "$program" 100 weights ;;
-mpi) run mpiexec -n 8 "$program" many && run mpiexec -n 8 "$program" shares && run mpiexec -n 8 "$program" facets &&
-    run mpiexec -n 8 "$program" weights && run mpiexec -n 8 "$program" errors ;;
+ranks) run "$program" 300; run "$program" 100 weights ;;
+mpi) for group in many shares facets weights errors; do run mpiexec -n 8 "$program" $group; done ;;
 *) run "$program" ;;
 esac
 END
@@ -62,8 +61,8 @@ for name in ranks mpi; do
     ls $work/raw/$name-*.profraw >/dev/null 2>&1 && counts $name $work/$name $work/raw/$name-*.profraw
 done
 
-# A line counts once for all copies, a branch by its place in its line. A test that has a copy of its own (best-NAME) uses it in
-# part, and for the rest clang has no more than the text: such a copy shows what is reached, not what could be.
+# A line counts once for all copies, a branch by its place in its line. A program with a copy of its own uses it in part, and
+# of the rest clang knows no more than the text: such a copy shows what is reached, not what could be.
 awk -v least=$LEAST '
     function percent(some, all) { return all ? sprintf("%.1f", int(1000 * some / all) / 10) : "-" }
     function row(name, i) {
@@ -72,8 +71,8 @@ awk -v least=$LEAST '
     }
     FILENAME ~ /uncovered\.txt$/ { if ($0 !~ /^#/ && NF) known[$0] = 1; next }
     FILENAME ~ /\.lcov$/ {
-        partial = FILENAME ~ /best-/
-        if (/^SF:/) { file = $0; sub(/.*\//, "", file); wanted = file == "paradt.h" || file == "paradt_mpi.h"; delete place }
+        copy = FILENAME; sub(/.*\//, "", copy)
+        if (/^SF:/) { file = $0; sub(/.*\//, "", file); wanted = file == "paradt.h" || file == "paradt_mpi.h"; delete place; partial = file == "paradt.h" && copy !~ /^(best|sse2|plain)\.lcov$/ }
         else if (!wanted) next
         else if (/^DA:/) {
             split(substr($0, 4), part, ",")
@@ -88,7 +87,7 @@ awk -v least=$LEAST '
     FNR == 1 { header = FILENAME; section = header " before its sections"; order[++sections] = section }
     /^\/\/ >>/ && rule { section = (header == "paradt.h" ? "" : "mpi ") substr($0, 6); order[++sections] = section }
     { rule = /^\/\/ -----/ }
-    (header, FNR) in line {
+    (header, FNR) in line && !/^ *(#|\/\/|PARADT_ASSERT\(.*\);$)/ {
         lines[section]++
         lines[header]++
         if (line[header, FNR]) { covered[section]++; covered[header]++ }
