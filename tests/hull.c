@@ -368,6 +368,26 @@ static void samples_of_samples_drop_no_point_of_the_hull(void **state) {
     }
 }
 
+// Beyond the numbers that samples of points are sifted by, all points are looked at.
+static void huge_and_tiny_scales_have_the_same_facets(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++) {
+        sample s = family_make(&families[family_named("uniform")], NULL, dim, dim == 2 ? 5000 : 20000, 4);
+        paradt_hull hull = hull_of(&s, NULL);
+        for (int e = -1; e <= 1; e += 2) {
+            sample scaled = sample_make("scaled", dim, s.count);
+            for (int i = 0; i < s.count * dim; i++)
+                scaled.x[i] = ldexp(s.x[i], 1000 * e);
+            paradt_hull other = hull_of(&scaled, NULL);
+            assert_true(paradt_hull_hash(&other) == paradt_hull_hash(&hull));
+            paradt_hull_free(&other);
+            sample_free(&scaled);
+        }
+        paradt_hull_free(&hull);
+        sample_free(&s);
+    }
+}
+
 static double power_of(double x, int n) { return n ? x * power_of(x, n - 1) : 1; }
 
 static double factorial(int n) { return n > 1 ? n * factorial(n - 1) : 1; }
@@ -930,6 +950,7 @@ int main(void) {
         cmocka_unit_test(hulls_are_the_boundaries_of_triangulations),
         cmocka_unit_test(many_points_have_the_hull_of_their_triangulation),
         cmocka_unit_test(samples_of_samples_drop_no_point_of_the_hull),
+        cmocka_unit_test(huge_and_tiny_scales_have_the_same_facets),
         cmocka_unit_test(cubes_simplices_and_cross_polytopes_have_their_measures),
         cmocka_unit_test(planes_are_those_of_exact_arithmetic),
         cmocka_unit_test(flat_sets_have_the_measures_of_their_flat),
