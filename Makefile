@@ -211,7 +211,7 @@ machines: $(T)/paradt.o $(TEST_INPUT) ## Compare other processors and builds wit
 # have as few sets as under the sanitizers.
 COVERAGE := $(BUILD)/coverage
 COUNTED  := clang -O1 -fprofile-instr-generate -fcoverage-mapping -w -I. -Itests
-FEWER    := $(addprefix %/,definition delaunay_tree dynamic flips host lifted_hull methods_agree optimality)
+FEWER    := $(addprefix %/,bounds bounds_plain definition delaunay_tree dynamic flips host lifted_hull methods_agree optimality waiting)
 COVERING := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO),$(C_TESTS))
 TWINS    := tests/dynamic.c tests/methods_agree.c tests/repair.c
 COVERING_PROGRAMS := $(COVERING:tests/%.c=$(COVERAGE)/best/%) $(FUZZERS:fuzz/%.c=$(COVERAGE)/best/%) \
