@@ -211,14 +211,14 @@ machines: $(T)/paradt.o $(TEST_INPUT) ## Compare other processors and builds wit
 # have as few sets as under the sanitizers.
 COVERAGE := $(BUILD)/coverage
 COUNTED  := clang -O1 -fprofile-instr-generate -fcoverage-mapping -w -I. -Itests
-FEWER    := $(addprefix %/,bounds bounds_plain definition delaunay_tree dynamic flips host lifted_hull methods_agree optimality waiting)
+FEWER    := $(addprefix %/,bounds bounds_plain definition delaunay_tree dynamic flips host hull lifted_hull methods_agree optimality waiting)
 COVERING := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO),$(C_TESTS))
 TWINS    := tests/dynamic.c tests/methods_agree.c tests/repair.c
 COVERING_PROGRAMS := $(COVERING:tests/%.c=$(COVERAGE)/best/%) $(FUZZERS:fuzz/%.c=$(COVERAGE)/best/%) \
     $(foreach lanes,sse2 plain,$(TWINS:tests/%.c=$(COVERAGE)/$(lanes)/%) $(COVERAGE)/$(lanes)/fuzz_triangulate) \
     $(COVERAGE)/ranks $(if $(MPICC),$(COVERAGE)/mpi)
 
-coverage: ## Count the lines and branches of the headers that tests and corpora reach (tests/coverage.sh; a quarter of an hour)
+coverage: ## Count the lines and branches of the headers that tests and corpora reach (tests/coverage.sh; twenty minutes)
 	@mkdir -p $(T) $(COVERAGE)
 	@sh tests/setup.sh $(PROVIDED) clang llvm libclang-rt-14-dev libcmocka-dev libgmp-dev mpich libmpich-dev
 	@$(MAKE) --no-print-directory -k $(PARALLEL) coverage-programs >$(COVERAGE)/build.log 2>&1 || tail -20 $(COVERAGE)/build.log

@@ -372,7 +372,7 @@ static void samples_of_samples_drop_no_point_of_the_hull(void **state) {
 static void huge_and_tiny_scales_have_the_same_facets(void **state) {
     (void)state;
     for (int dim = 2; dim <= 3; dim++) {
-        sample s = family_make(&families[family_named("uniform")], NULL, dim, dim == 2 ? 5000 : 20000, 4);
+        sample s = family_make(&families[family_named("uniform")], NULL, dim, dim == 2 ? 5000 : 40000, 4);
         paradt_hull hull = hull_of(&s, NULL);
         for (int e = -1; e <= 1; e += 2) {
             sample scaled = sample_make("scaled", dim, s.count);
