@@ -22,7 +22,8 @@ TOOLS := $(BUILD)/paradt $(if $(and $(MPICC),$(wildcard examples/paradt_mpi.c)),
 ZLIB ?= $(if $(filter clean help,$(MAKECMDGOALS)),,$(shell echo 'int main(void) { return zlibVersion() == 0; }' | \
     $(CC) -include zlib.h -x c -o /dev/null - -lz 2>/dev/null && echo -DPARADT_ZLIB -lz))
 
-.PHONY: all run examples check test bench thesis study study-threads theory lib clean help fuzz soak faults machines test-programs test-list
+.PHONY: all run examples check test bench thesis study study-threads theory lib clean help fuzz soak faults machines coverage \
+    test-programs test-list coverage-programs
 .DELETE_ON_ERROR:
 
 all: $(TOOLS) ## Build the command-line tools: build/paradt and, where mpicc is found, build/paradt_mpi (the default)
@@ -60,11 +61,11 @@ $(BUILD)/examples/%: examples/%.c
 T        := $(BUILD)/tests
 QUICK    := # 1: the core of the tests alone
 PROVIDED := $(T)/have.mk
--include $(if $(filter test-programs test-list $(T)/%,$(MAKECMDGOALS)),$(PROVIDED))
+-include $(if $(filter test-programs test-list coverage-programs $(T)/% $(BUILD)/coverage/%,$(MAKECMDGOALS)),$(PROVIDED))
 
 C_TESTS      := $(sort $(wildcard tests/*.c))
 # Without in this list the test of the headers' structure runs like the others.
-NO_TESTS     := tests/run.sh tests/setup.sh tests/machines.sh
+NO_TESTS     := tests/run.sh tests/setup.sh tests/machines.sh tests/coverage.sh
 SHELL_TESTS  := $(filter-out $(NO_TESTS),$(sort $(wildcard tests/*.sh)))
 FUZZERS      := $(sort $(wildcard fuzz/fuzz_*.c))
 # Test programs that include cgal.h need CGAL, those that include voro.h Voro++, and those that include gmp.h or one of these
@@ -205,6 +206,57 @@ faults: ## Plant faults one by one, and run the tests that should see them (test
 machines: $(T)/paradt.o $(TEST_INPUT) ## Compare other processors and builds with this one, and analyse the header (tests/machines.sh)
 	@CC="$(CC)" CXX="$(CXX)" sh tests/machines.sh
 
+# Clang counts lines and branches as they are written, whatever is inlined. Assertions are left out, as their failing branch is
+# none to cover. The library is built three times: for the vectors that there are, for SSE2, and without vectors. The slowest tests
+# have as few sets as under the sanitizers.
+COVERAGE := $(BUILD)/coverage
+COUNTED  := clang -O1 -fprofile-instr-generate -fcoverage-mapping -w -I. -Itests
+FEWER    := $(addprefix %/,bounds bounds_plain definition delaunay_tree dynamic flips host hull lifted_hull methods_agree optimality waiting)
+COVERING := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO),$(C_TESTS))
+TWINS    := tests/dynamic.c tests/methods_agree.c tests/repair.c
+COVERING_PROGRAMS := $(COVERING:tests/%.c=$(COVERAGE)/best/%) $(FUZZERS:fuzz/%.c=$(COVERAGE)/best/%) \
+    $(foreach lanes,sse2 plain,$(TWINS:tests/%.c=$(COVERAGE)/$(lanes)/%) $(COVERAGE)/$(lanes)/fuzz_triangulate) \
+    $(COVERAGE)/ranks $(if $(MPICC),$(COVERAGE)/mpi)
+
+coverage: ## Count the lines and branches of the headers that tests and corpora reach (tests/coverage.sh; twenty minutes)
+	@mkdir -p $(T) $(COVERAGE)
+	@sh tests/setup.sh $(PROVIDED) clang llvm libclang-rt-14-dev libcmocka-dev libgmp-dev mpich libmpich-dev
+	@$(MAKE) --no-print-directory -k $(PARALLEL) coverage-programs >$(COVERAGE)/build.log 2>&1 || tail -20 $(COVERAGE)/build.log
+	@JOBS=$(JOBS) sh tests/coverage.sh $(COVERING_PROGRAMS)
+
+coverage-programs: $(COVERING_PROGRAMS)
+
+$(COVERAGE)/best/paradt.o: MANNER =
+$(COVERAGE)/sse2/paradt.o: MANNER = '-D__builtin_cpu_supports(name)=0'
+$(COVERAGE)/plain/paradt.o: MANNER = -DPARADT_NO_SIMD
+$(COVERAGE)/%/paradt.o: paradt.h
+	@mkdir -p $(@D)
+	echo '#include "paradt.h"' | $(COUNTED) $(MANNER) -DPARADT_IMPLEMENTATION -x c -c -o $@ -
+
+$(patsubst tests/%.c,$(COVERAGE)/best/%,$(LINKED)): $(COVERAGE)/best/paradt.o
+$(patsubst tests/%.c,$(COVERAGE)/best/%,$(WATCHING)): $(COVERAGE)/best/paradt_watched.o
+$(patsubst tests/%.c,$(COVERAGE)/sse2/%,$(TWINS)): $(COVERAGE)/sse2/paradt.o
+$(patsubst tests/%.c,$(COVERAGE)/plain/%,$(TWINS)): $(COVERAGE)/plain/paradt.o
+
+define counted_program
+$(COVERAGE)/$1/%: tests/%.c
+	@mkdir -p $$(@D)
+	$(COUNTED) $$(if $$(filter $(FEWER),$$@),-DSANITIZED=1) $$(DEPENDS) -o $$@ $$< $$(filter %.o,$$^) -pthread -lcmocka -lgmp -lm
+
+$(COVERAGE)/$1/fuzz_%: fuzz/fuzz_%.c $(COVERAGE)/$1/paradt.o
+	@mkdir -p $$(@D)
+	$(COUNTED) -DPARADT_FUZZ_STANDALONE -DPARADT_FUZZ_LINKED $(ZLIB) $$(DEPENDS) -o $$@ $$< $$(filter %.o,$$^) -pthread -lm
+endef
+$(foreach lanes,best sse2 plain,$(eval $(call counted_program,$(lanes))))
+
+$(COVERAGE)/ranks: tests/programs/ranks.c
+	@mkdir -p $(@D)
+	$(COUNTED) $(DEPENDS) -Itests/bench/alone -o $@ $< -pthread -lm
+
+$(COVERAGE)/mpi: tests/programs/mpi.c
+	@mkdir -p $(@D)
+	MPICH_CC=clang OMPI_CC=clang $(MPICC) $(filter-out clang,$(COUNTED)) $(DEPENDS) -Itests/programs -o $@ $< -lm
+
 # --- the rest --------------------------------------------------------------------------------------------------------
 
 FUZZ_SECONDS := 60
@@ -262,4 +314,4 @@ clean: ## Remove everything that was built
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{ printf "%-12s %s\n", $$1, $$2 }'
 
--include $(wildcard $(BUILD)/*.d $(BUILD)/examples/*.d $(BUILD)/bench/*.d $(T)/*.d $(T)/*/*.d)
+-include $(wildcard $(BUILD)/*.d $(BUILD)/examples/*.d $(BUILD)/bench/*.d $(T)/*.d $(T)/*/*.d $(BUILD)/coverage/*.d $(BUILD)/coverage/*/*.d)

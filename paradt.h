@@ -1582,11 +1582,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     search                       377   the apex of a facet, a point in a sphere
 //     questions                     76   the same of cells of others' points
 //   making
-//     first simplex                138   a cell to begin with
+//     first simplex                122   a cell to begin with
 //     reach                         96   which cells a region makes and owns, facet by facet
 //     front                        437   what facet by facet has in common
 //     incode                        28   incremental construction
-//     dewall                       176   divide and conquer, merge first
+//     dewall                       173   divide and conquer, merge first
 //     order of insertion           162   rounds along the curve
 //     insertion                    299   dig and star, in any dimension
 //     kept spheres                 640   conflict tests by one product, in two and three dimensions
@@ -1617,13 +1617,13 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     seam                         226   what of the first region's cells is right
 //     results of patches           176   dropping, emitting, taking over
 //     known points                 234   what a rank builds
-//     call                         195   what one call works with; steps
+//     call                         193   what one call works with; steps
 //     fronts                       105   InCoDe and DeWall from set to mesh
 //     parallel dewall              507   DeWall by tasks
 //     regions of insertion         619   the steps of a divided insertion
 //   entry
-//     methods                      330   one row a method; AUTO's choice
-//     triangulate                  389   the entry
+//     methods                      328   one row a method; AUTO's choice
+//     triangulate                  384   the entry
 //   use
 //     minors                        93   determinants with bounds, in floating point
 //     hull points                  475   those that a hull has to look at
@@ -7147,7 +7147,8 @@ PARADT__INLINE size_t paradt__pivot_position(paradt__set *set, size_t width, siz
 // [begin, nth) are before those of [nth, end) along the axis. Returns a coordinate that separates the two sides weakly.
 PARADT__INLINE double paradt__select(paradt__set *set, size_t width, size_t begin, size_t end, size_t nth, int axis) {
     const paradt__space *space = &set->space;
-    while (end - begin > 1) {
+    PARADT_ASSERT(begin < nth && nth < end); // and so it stays
+    for (;;) {
         double pivot[PARADT_MAX_DIM + 1];
         size_t i = begin, j = end - 1, count = end - begin,
                size = count > 4096  ? 48
@@ -7169,7 +7170,6 @@ PARADT__INLINE double paradt__select(paradt__set *set, size_t width, size_t begi
         if (nth < i) end = i;
         else begin = i == j ? i + 1 : i;
     }
-    return set->records[nth * width + (size_t)axis];
 }
 
 // Position of the first point of the right half of a range of more than eight points
@@ -8783,7 +8783,7 @@ static paradt_index paradt__question_answer(paradt__search *s) {
 // inside, and the lifted simplex above z gets lower. The perturbed heights are in general position, so this does not
 // cycle; it ends with the cell of T(P) that contains z. z is the first vertex moved infinitesimally towards the second,
 // far less towards the third, and so on. So the cell contains the first vertex, if that is not hidden, and the way from
-// there to the second begins in it. Doors: paradt__cell_towards, paradt__cell_pivot.
+// there to the second begins in it. Door: paradt__cell_towards.
 
 // Orders the vertices of a simplex that is not flat so that it is positively oriented.
 static void paradt__simplex_orient(paradt__search *s, paradt_index *simplex) {
@@ -8893,22 +8893,6 @@ static void paradt__cell_towards(paradt__search *s, paradt_index *simplex, int g
     memcpy(goal, simplex, sizeof goal);
     paradt__simplex_orient(s, simplex);
     while ((q = paradt__search_conflict(s, simplex)) >= 0) paradt__simplex_exchange(s, simplex, goal, q);
-}
-
-// Replaces the cell of T(P) by its neighbour across a facet that has x outside: one step of a visibility walk, by a
-// search. Returns 0 if there is no such facet or no neighbour. Such walks end in every regular triangulation
-// (Edelsbrunner, Combinatorica 10, 1990).
-static int paradt__cell_pivot(paradt__search *s, paradt_index *cell, const double *x) {
-    int dim = s->set->space.dim, place, unused;
-    for (place = 0; place <= dim; place++) {
-        if (paradt__simplex_side(s, cell, place, x) < 0) {
-            paradt_index made[PARADT_MAX_DIM + 1];
-            if (paradt__search_apex(s, cell, place, made, &unused) < 0) return 0;
-            memcpy(cell, made, sizeof made);
-            return 1;
-        }
-    }
-    return 0;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -9547,29 +9531,26 @@ static int paradt__wall_seed(paradt__front *front, const paradt__wall *wall, par
     const paradt__set *set = front->set;
     const paradt__space *space = &set->space;
     int axis = paradt__grid_axis(set, wall->begin, wall->end), dim = space->dim, i;
+    int behind = 0, within = 0;
     size_t at, left = wall->begin, right = wall->cut;
-    const double *p, *q;
     for (at = wall->begin; at < wall->cut; at++) {
         if (paradt__before(space, set->records + left * set->width, set->records + at * set->width, axis)) left = at;
     }
     for (at = wall->cut; at < wall->end; at++) {
         if (paradt__before(space, set->records + at * set->width, set->records + right * set->width, axis)) right = at;
     }
-    p = set->records + left * set->width;
-    q = set->records + right * set->width;
     cell[0] = (paradt_index)left;
     cell[1] = (paradt_index)right;
     paradt__search_limit(&front->search, 0, set->count);
     paradt__cell_towards(&front->search, cell, 2);
-    do {
-        int behind = 0, within = 0;
-        for (i = 0; i <= dim; i++) {
-            behind += paradt__before(space, p, paradt__record(set, cell[i]), axis);
-            within += (size_t)cell[i] >= wall->begin && (size_t)cell[i] < wall->end;
-        }
-        if (behind > 0 && behind <= dim) return within == dim + 1;
-    } while (paradt__cell_pivot(&front->search, cell, q));
-    return 0;
+    for (i = 0; i <= dim; i++) {
+        behind += paradt__before(space, set->records + left * set->width, paradt__record(set, cell[i]), axis);
+        within += (size_t)cell[i] >= wall->begin && (size_t)cell[i] < wall->end;
+    }
+    // The cell contains the first point, and the way from there to the second, which is behind it, begins in the cell.
+    PARADT_ASSERT(behind > 0 && behind <= dim);
+    (void)behind;
+    return within == dim + 1;
 }
 
 // Begins the wall of a range across the grid's plane; a small range is left whole, and a wall's one side is all of it.
@@ -17192,17 +17173,15 @@ struct paradt__level;
 // One row a method: what it can do, and its functions
 typedef struct paradt__method {
     unsigned can;                                        // PARADT__CAN_* bits
-    int least_dim, most_dim;                             // of the points; 0 and 0: this build leaves the method out
+    int is_built;                                        // 0: this build leaves the method out
     paradt_status (*front)(struct paradt__front *front); // builds a region, or all, facet by facet; NULL: it inserts
     paradt_status (*build)(struct paradt__work *work);   // builds work->mesh of work->set; NULL: AUTO, which chooses
 } paradt__method;
 
 enum {
-    PARADT__CAN_WEIGHTS = 1, // regular triangulations
-    PARADT__CAN_LINK = 2,    // neighbours
-    PARADT__CAN_REGIONS = 4, // divided space
-    PARADT__CAN_LIVE = 8,    // more points after the first ones
-    PARADT__CAN_HALVE = 16   // divides space by planes of its own; only a region that is built alone has a box
+    PARADT__CAN_REGIONS = 1, // divided space
+    PARADT__CAN_LIVE = 2,    // more points after the first ones
+    PARADT__CAN_HALVE = 4    // divides space by planes of its own; only a region that is built alone has a box
 };
 
 #ifndef PARADT_NO_REGIONS
@@ -18821,40 +18800,38 @@ enum {
 #else
     PARADT__CAN_DIVIDE = PARADT__CAN_REGIONS,
 #endif
-    PARADT__CAN_ALL = (int)PARADT__CAN_WEIGHTS | (int)PARADT__CAN_LINK | (int)PARADT__CAN_DIVIDE,
     PARADT__AUTO_INCODE_DIM = 4 // AUTO tries InCoDe from here on
 };
 
 // The row of a method. AUTO's row says what all the methods can do that it chooses from.
 static const paradt__method *paradt__method_of(paradt_method method) {
     static const paradt__method rows[PARADT_METHOD_COUNT] = {
-        {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, NULL, NULL}, // AUTO
+        {PARADT__CAN_DIVIDE, 1, NULL, NULL}, // AUTO
 #ifdef PARADT_NO_FRONTS
-        {0, 0, 0, NULL, NULL}, // INCODE
-        {0, 0, 0, NULL, NULL}, // DEWALL
+        {0, 0, NULL, NULL}, // INCODE
+        {0, 0, NULL, NULL}, // DEWALL
 #else
-        {PARADT__CAN_ALL, 2, PARADT_MAX_DIM, paradt__incode, paradt__build_by_front}, // INCODE
-        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_HALVE, 2, PARADT_MAX_DIM, paradt__dewall, paradt__build_by_dewall},
+        {PARADT__CAN_DIVIDE, 1, paradt__incode, paradt__build_by_front}, // INCODE
+        {(int)PARADT__CAN_DIVIDE | (int)PARADT__CAN_HALVE, 1, paradt__dewall, paradt__build_by_dewall},
 #endif
-        {(int)PARADT__CAN_ALL | (int)PARADT__CAN_LIVE, 2, PARADT_MAX_DIM, NULL, paradt__build_by_insertion},
+        {(int)PARADT__CAN_DIVIDE | (int)PARADT__CAN_LIVE, 1, NULL, paradt__build_by_insertion},
 
 #ifdef PARADT_NO_FLIPS
-        {0, 0, 0, NULL, NULL}, // FLIP
+        {0, 0, NULL, NULL}, // FLIP
 #else
-        {(int)PARADT__CAN_WEIGHTS | (int)PARADT__CAN_LINK, 2, PARADT_MAX_DIM, NULL, paradt__build_by_flips}, // FLIP
+        {0, 1, NULL, paradt__build_by_flips},               // FLIP
 #endif
 
 #ifdef PARADT_NO_TREE
-        {0, 0, 0, NULL, NULL}, // DELAUNAY_TREE
+        {0, 0, NULL, NULL}, // DELAUNAY_TREE
 #else
-        {(int)PARADT__CAN_WEIGHTS | (int)PARADT__CAN_LINK | (int)PARADT__CAN_LIVE, 2, PARADT_MAX_DIM, NULL,
-         paradt__build_by_tree}, // DELAUNAY_TREE
+        {PARADT__CAN_LIVE, 1, NULL, paradt__build_by_tree}, // DELAUNAY_TREE
 #endif
 
 #ifdef PARADT_NO_HULLS
-        {0, 0, 0, NULL, NULL}, // LIFTED_HULL
+        {0, 0, NULL, NULL}, // LIFTED_HULL
 #else
-        {(int)PARADT__CAN_WEIGHTS | (int)PARADT__CAN_LINK, 2, PARADT_MAX_DIM, NULL, paradt__build_lifted_hull},
+        {0, 1, NULL, paradt__build_lifted_hull},
 #endif
 
     };
@@ -19045,20 +19022,15 @@ static const char *paradt__options_fault(const paradt_options *options) {
 }
 
 // Returns why the method can't do what is asked of it, or NULL.
-static const char *paradt__method_fault(const paradt_points *points, const paradt_options *options) {
+static const char *paradt__method_fault(const paradt_options *options) {
     const paradt__method *method = paradt__method_of(options->method);
-    if (!method->most_dim) return "options.method is left out of this build, by a macro PARADT_NO_*";
+    if (!method->is_built) return "options.method is left out of this build, by a macro PARADT_NO_*";
     if (options->flags & PARADT_FURTHEST_SITE) {
         if (options->method != PARADT_AUTO && options->method != PARADT_LIFTED_HULL)
             return "options.method has no furthest-site triangulations; PARADT_LIFTED_HULL has";
-        if (!paradt__method_of(PARADT_LIFTED_HULL)->most_dim)
+        if (!paradt__method_of(PARADT_LIFTED_HULL)->is_built)
             return "options.flags has PARADT_FURTHEST_SITE, which PARADT_NO_HULLS leaves out of this build";
     }
-    if (points->dim < method->least_dim || points->dim > method->most_dim)
-        return "options.method has no triangulations of dimension points.dim";
-    if (points->weights && !(method->can & PARADT__CAN_WEIGHTS)) return "options.method takes no weights";
-    if (!(options->flags & PARADT_NO_NEIGHBORS || method->can & PARADT__CAN_LINK))
-        return "options.method gives no neighbours; PARADT_NO_NEIGHBORS does without";
     return NULL;
 }
 
@@ -19068,7 +19040,7 @@ PARADT__COLD paradt_status paradt__check_arguments(const paradt_points *points, 
     size_t size = points && points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
     const char *fault = points ? paradt__points_fault(points) : "points is NULL";
     if (!fault && options) fault = paradt__options_fault(options);
-    if (!fault && options) fault = paradt__method_fault(points, options);
+    if (!fault && options) fault = paradt__method_fault(options);
     if (fault) {
         *text = fault;
         return PARADT_ERROR_ARGUMENT;

@@ -1043,6 +1043,10 @@ static void bad_arguments_are_refused(void **state) {
     t = s->t;
     t.representative = NULL;
     assert_int_equal(paradt_check(&t, &s->points, NULL, NULL), PARADT_ERROR_ARGUMENT);
+    t = s->t;
+    t.cell_count = SIZE_MAX / 8;
+    assert_int_equal(paradt_check(&t, &s->points, NULL, &fault), PARADT_ERROR_INVALID);
+    assert_string_equal(fault.reason, "there are more cells than an index can number");
     free(s);
 }
 

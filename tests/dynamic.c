@@ -483,6 +483,48 @@ static double time_of_removal(int dim, int count, int spread) {
     return best;
 }
 
+// A point high above many others, which lie in a hyperplane: where it goes there are no cells left.
+static void a_summit_above_a_flat_goes_and_comes(void **state) {
+    static const int sides[] = {0, 0, 100, 10, 5};
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++) {
+        enum { BELOW = 20 };
+        int side = sides[dim], flat = 1, summit = 0;
+        for (int k = 1; k < dim; k++)
+            flat *= side;
+        sample pool = sample_make("flat", dim, flat + BELOW + 1);
+        uint64_t seed = 3;
+        for (int i = 0; i < pool.count; i++) {
+            double *x = pool.x + i * dim;
+            for (int k = 1, rest = i; k < dim; k++, rest /= side)
+                x[k] = i < flat ? rest % side : 0.5 * (side - 1) + (i == flat + BELOW ? 0.0 : random_unit(&seed) - 0.5);
+            x[0] = i < flat ? 0.0 : i == flat + BELOW ? 1e6 : -random_unit(&seed);
+        }
+        summit = flat + BELOW;
+        game g = game_begin(&pool, pool.count, NULL, 5);
+        paradt_triangulation t;
+        assert_int_equal(paradt_dynamic_export(g.d, &t), PARADT_OK);
+        for (size_t i = 0; i < t.cell_count * (size_t)(dim + 1); i++) // its neighbours are in the flat
+            for (int j = 0; j <= dim && t.cells[i] == summit; j++) {
+                paradt_index other = t.cells[i / (size_t)(dim + 1) * (size_t)(dim + 1) + (size_t)j];
+                assert_true(other < flat || other == summit);
+            }
+        paradt_free(&t);
+        for (int again = 0; again < 2; again++) {
+            assert_int_equal(paradt_dynamic_remove(g.d, summit), PARADT_OK);
+            shadow_take(&g.s, summit);
+            expect_canonical(g.d, &g.s, pool.name);
+            paradt_index id;
+            assert_int_equal(paradt_dynamic_insert(g.d, pool.x + summit * dim, 0.0, -1, &id), PARADT_OK);
+            assert_int_equal(id, summit);
+            shadow_put(&g.s, summit, pool.x + summit * dim, 0.0);
+            expect_canonical(g.d, &g.s, pool.name);
+        }
+        game_end(&g);
+        sample_free(&pool);
+    }
+}
+
 static void many_neighbours_take_no_square(void **state) {
     (void)state;
     int count = SANITIZED ? 2000 : 10000;
@@ -721,6 +763,165 @@ static void every_way_of_creating_leads_on(void **state) {
                 }
 }
 
+// The nearest vertex has more neighbours than are kept on the stack; without memory for them all vertices are looked at.
+static void the_nearest_of_many_neighbours_is_found(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++)
+        for (int refuse = 0; refuse < 2; refuse++) {
+            sample s = family_make(&families[family_named("sphere")], NULL, dim, 600, 9);
+            for (int k = 0; k < dim; k++)
+                s.x[k] = 0.001 * (k + 1);
+            paradt_points points = points_of(&s);
+            failing memory = {0, 0, 0};
+            paradt_options options = {0};
+            paradt_dynamic *d;
+            uint64_t seed = 7;
+            options.allocator.alloc = failing_alloc;
+            options.allocator.free = failing_free;
+            options.allocator.user = &memory;
+            assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_OK);
+            size_t made = memory.calls;
+            for (int turn = 0; turn < 100; turn++) {
+                double x[3], least = 1e300;
+                int nearest = 0;
+                for (int k = 0; k < dim; k++)
+                    x[k] = 2 * random_unit(&seed) - 1;
+                for (int i = 0; i < s.count; i++) {
+                    double distance = 0;
+                    for (int k = 0; k < dim; k++)
+                        distance += (s.x[i * dim + k] - x[k]) * (s.x[i * dim + k] - x[k]);
+                    if (distance < least)
+                        least = distance, nearest = i;
+                }
+                memory.fail_at = refuse ? memory.calls + 1 : 0;
+                assert_int_equal(paradt_dynamic_nearest(d, x, -1), nearest);
+            }
+            assert_true(memory.calls > made);
+            paradt_dynamic_free(d);
+            sample_free(&s);
+        }
+}
+
+static int cancel_later(void *user, double done) {
+    int *calls = (int *)user;
+    (void)done;
+    return --*calls < 0;
+}
+
+// An export either works or leaves nothing behind, if memory is refused or the call is cancelled.
+static void failing_exports_leave_nothing(void **state) {
+    (void)state;
+    for (int dim = 0; dim <= 3; dim += dim ? 1 : 2) { // in three dimensions; 0: all points are at one place
+        sample pool = family_make(&families[family_named("uniform")], NULL, dim ? dim : 2, dim ? 60 : 2, 4);
+        for (int i = 0; i < 2 * pool.count && !dim; i++)
+            pool.x[i] = 1;
+        paradt_points points = points_of(&pool);
+        failing memory = {0, 0, 0};
+        int calls = 1 << 30;
+        paradt_options options = {0};
+        paradt_dynamic *d;
+        paradt_triangulation t;
+        paradt_status status = PARADT_ERROR_MEMORY;
+        options.allocator.alloc = failing_alloc;
+        options.allocator.free = failing_free;
+        options.allocator.user = &memory;
+        options.progress = cancel_later;
+        options.user = &calls;
+        assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_OK);
+        size_t live = memory.live;
+        for (size_t at = 1; status; at++) {
+            memory.calls = 0;
+            memory.fail_at = at;
+            status = paradt_dynamic_export(d, &t);
+            assert_true(status == PARADT_OK || (status == PARADT_ERROR_MEMORY && t.dim == -1 && !t.cells && memory.live == live));
+        }
+        assert_true(memory.fail_at > memory.calls && memory.calls > 1);
+        paradt_free(&t);
+        memory.fail_at = 0;
+        calls = 0;
+        assert_int_equal(paradt_dynamic_export(d, &t), PARADT_ERROR_CANCELLED);
+        assert_true(t.dim == -1 && !t.cells && memory.live == live);
+        calls = 1 << 30;
+        paradt_dynamic_free(d);
+        assert_int_equal(memory.live, 0);
+        sample_free(&pool);
+    }
+}
+
+// A set whose axes are not the caller's grows, or stays as it is.
+static void failing_allocations_while_a_flat_set_grows(void **state) {
+    enum { FIRST = 10, ALL = 90 };
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, ALL, 4);
+    paradt_points first = points_of(&s), all = first, rest = first;
+    failing memory = {0, 0, 0};
+    paradt_options options = {0};
+    paradt_dynamic *d;
+    paradt_triangulation grown, fresh;
+    paradt_status status = PARADT_ERROR_MEMORY;
+    (void)state;
+    for (int i = 0; i < ALL; i++)
+        s.x[3 * i] = 0.5;
+    first.count = FIRST;
+    rest.count = ALL - FIRST;
+    rest.data = s.x + 3 * FIRST;
+    options.allocator.alloc = failing_alloc;
+    options.allocator.free = failing_free;
+    options.allocator.user = &memory;
+    assert_int_equal(paradt_dynamic_create(&d, &first, &options), PARADT_OK);
+    for (size_t at = 1; status; at++) {
+        paradt_dynamic_info info;
+        memory.calls = 0;
+        memory.fail_at = at;
+        status = paradt_dynamic_insert_points(d, &rest, NULL);
+        paradt_dynamic_get_info(d, &info);
+        assert_int_equal(info.point_count, status ? FIRST : ALL);
+        assert_true(!status || status == PARADT_ERROR_MEMORY);
+    }
+    assert_true(memory.fail_at > 5);
+    memory.fail_at = 0;
+    assert_int_equal(paradt_dynamic_export(d, &grown), PARADT_OK);
+    assert_int_equal(paradt_triangulate(&fresh, &all, NULL), PARADT_OK);
+    assert_int_equal(grown.dim, 2);
+    assert_true(paradt_hash(&grown) == paradt_hash(&fresh));
+    paradt_free(&grown);
+    paradt_free(&fresh);
+    paradt_dynamic_free(d);
+    assert_int_equal(memory.live, 0);
+    sample_free(&s);
+}
+
+// What finds places quickly is made before a point comes to 64 vertices or more. Without memory for it they are found all the same.
+static void places_are_found_without_memory_for_starts(void **state) {
+    enum { COUNT = 65 };
+    sample s = family_make(&families[family_named("uniform")], NULL, 3, COUNT, 4);
+    paradt_points points = points_of(&s);
+    int done = 0, without = 0;
+    (void)state;
+    points.count = COUNT - 1;
+    for (size_t at = 1; !done; at++) {
+        failing memory = {0, 0, 0};
+        paradt_options options = {0};
+        paradt_dynamic *d;
+        paradt_index id;
+        options.allocator.alloc = failing_alloc;
+        options.allocator.free = failing_free;
+        options.allocator.user = &memory;
+        assert_int_equal(paradt_dynamic_create(&d, &points, &options), PARADT_OK);
+        memory.calls = 0;
+        memory.fail_at = at;
+        paradt_status status = paradt_dynamic_insert(d, s.x + 3 * (COUNT - 1), 0.0, -1, &id);
+        assert_true(!status || status == PARADT_ERROR_MEMORY);
+        without += !status && memory.calls >= at;
+        done = memory.calls < at;
+        for (int i = 0; i < COUNT - (status != PARADT_OK); i++)
+            assert_int_equal(paradt_dynamic_nearest(d, s.x + 3 * i, -1), i);
+        paradt_dynamic_free(d);
+        assert_int_equal(memory.live, 0);
+    }
+    assert_true(without > 0);
+    sample_free(&s);
+}
+
 static void memory_limit_is_kept(void **state) {
     (void)state;
     sample pool = family_make(&families[family_named("uniform")], NULL, 3, 4000, 4);
@@ -741,12 +942,6 @@ static void memory_limit_is_kept(void **state) {
     expect_canonical(g.d, &g.s, pool.name);
     game_end(&g);
     sample_free(&pool);
-}
-
-static int cancel_later(void *user, double done) {
-    int *calls = (int *)user;
-    (void)done;
-    return --*calls < 0;
 }
 
 static void cancelled_batches_leave_the_set(void **state) {
@@ -1077,7 +1272,7 @@ static void soak(void **state) {
 }
 
 int main(void) {
-    static struct CMUnitTest tests[3 * FAMILY_COUNT + 20];
+    static struct CMUnitTest tests[3 * FAMILY_COUNT + 25];
     static const char *const some[] = {"uniform", "lattice", "duplicates", "axis plane", "line"};
     size_t count = 0;
     for (int f = 0; f < FAMILY_COUNT; f++)
@@ -1096,6 +1291,11 @@ int main(void) {
     tests[count++] = named_test(range_grows, NULL, "range_grows");
     tests[count++] = named_test(many_neighbours_take_no_square, NULL, "many_neighbours_take_no_square");
     tests[count++] = named_test(every_way_of_creating_leads_on, NULL, "every_way_of_creating_leads_on");
+    tests[count++] = named_test(a_summit_above_a_flat_goes_and_comes, NULL, "a_summit_above_a_flat_goes_and_comes");
+    tests[count++] = named_test(the_nearest_of_many_neighbours_is_found, NULL, "the_nearest_of_many_neighbours_is_found");
+    tests[count++] = named_test(failing_exports_leave_nothing, NULL, "failing_exports_leave_nothing");
+    tests[count++] = named_test(failing_allocations_while_a_flat_set_grows, NULL, "failing_allocations_while_a_flat_set_grows");
+    tests[count++] = named_test(places_are_found_without_memory_for_starts, NULL, "places_are_found_without_memory_for_starts");
     tests[count++] = named_test(memory_limit_is_kept, NULL, "memory_limit_is_kept");
     tests[count++] = named_test(cancelled_batches_leave_the_set, NULL, "cancelled_batches_leave_the_set");
     tests[count++] = named_test(wrong_arguments_are_refused, NULL, "wrong_arguments_are_refused");

@@ -168,7 +168,8 @@ static void the_estimate_is_near_what_is_held(void **state) {
                  {4, 2000, 4, PARADT_AUTO, 0},           {5, 500, 1, PARADT_BOWYER_WATSON, 0},
                  {2, 20000, 1, PARADT_DELAUNAY_TREE, 0}, {3, 20000, 1, PARADT_DELAUNAY_TREE, 0},
                  {5, 500, 1, PARADT_DELAUNAY_TREE, 0},
-                 {3, 20000, 1, PARADT_FLIP, 0},          {4, 2000, 1, PARADT_FLIP, 0}};
+                 {3, 20000, 1, PARADT_FLIP, 0},          {4, 2000, 1, PARADT_FLIP, 0},
+                 {3, 20000, 1, PARADT_LIFTED_HULL, 0}};
     paradt_points points = {0};
     paradt_options options = {0};
     paradt_triangulation t;
@@ -190,6 +191,16 @@ static void the_estimate_is_near_what_is_held(void **state) {
     points.dim = 9;
     assert_true(paradt_memory_estimate(&points, NULL) == 0);
     assert_true(paradt_memory_estimate(NULL, NULL) == 0);
+}
+
+// Half a million points are built one region after another, where no neighbours are wanted.
+static void without_neighbours_many_points_take_fewer_bytes(void **state) {
+    paradt_points fewer = packed(NULL, 499999, 3), more = packed(NULL, 500000, 3);
+    paradt_options options = {0};
+    (void)state;
+    assert_true(paradt_memory_estimate(&more, &options) > paradt_memory_estimate(&fewer, &options));
+    options.flags = PARADT_NO_NEIGHBORS;
+    assert_true(paradt_memory_estimate(&more, &options) < paradt_memory_estimate(&fewer, &options));
 }
 
 static void one_point_has_no_facets(void **state) {
@@ -308,6 +319,15 @@ static void every_other_error_has_a_sentence_too(void **state) {
     assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_ERROR_TOO_LARGE);
     assert_non_null(strstr(t.error_text, "points.count"));
     points.count = 5000;
+    points.stride = SIZE_MAX / 16;
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_ERROR_TOO_LARGE);
+    assert_non_null(strstr(t.error_text, "points.stride"));
+    points.stride = 0;
+    points.weights = x;
+    points.weight_stride = SIZE_MAX / 16;
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_ERROR_TOO_LARGE);
+    assert_non_null(strstr(t.error_text, "points.weight_stride"));
+    points.weights = NULL;
     assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
     options.memory_limit = 100;
     assert_int_equal(paradt_check(&t, &points, &options, &fault), PARADT_ERROR_MEMORY);
@@ -660,6 +680,7 @@ int main(void) {
         cmocka_unit_test(results_are_empty_after_every_error),
         cmocka_unit_test(after_memory_the_result_says_how_much_was_needed),
         cmocka_unit_test(the_estimate_is_near_what_is_held),
+        cmocka_unit_test(without_neighbours_many_points_take_fewer_bytes),
         cmocka_unit_test(one_point_has_no_facets),
         cmocka_unit_test(every_argument_error_says_which_and_why),
         cmocka_unit_test(every_other_error_has_a_sentence_too),

@@ -368,6 +368,26 @@ static void samples_of_samples_drop_no_point_of_the_hull(void **state) {
     }
 }
 
+// Beyond the numbers that samples of points are sifted by, all points are looked at.
+static void huge_and_tiny_scales_have_the_same_facets(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++) {
+        sample s = family_make(&families[family_named("uniform")], NULL, dim, dim == 2 ? 5000 : 40000, 4);
+        paradt_hull hull = hull_of(&s, NULL);
+        for (int e = -1; e <= 1; e += 2) {
+            sample scaled = sample_make("scaled", dim, s.count);
+            for (int i = 0; i < s.count * dim; i++)
+                scaled.x[i] = ldexp(s.x[i], 1000 * e);
+            paradt_hull other = hull_of(&scaled, NULL);
+            assert_true(paradt_hull_hash(&other) == paradt_hull_hash(&hull));
+            paradt_hull_free(&other);
+            sample_free(&scaled);
+        }
+        paradt_hull_free(&hull);
+        sample_free(&s);
+    }
+}
+
 static double power_of(double x, int n) { return n ? x * power_of(x, n - 1) : 1; }
 
 static double factorial(int n) { return n > 1 ? n * factorial(n - 1) : 1; }
@@ -721,6 +741,33 @@ static void wrong_arguments_are_named(void **state) {
     paradt_hull_free(NULL);
 }
 
+static void wrong_arguments_of_the_certificate_are_named(void **state) {
+    static const double x[] = {0, 0, 1, 0, 0, 1, 1, 1};
+    static const char *const reasons[] = {"points is NULL", "points.weights is not NULL, but a hull has no weights", "hull is NULL",
+                                          "hull.facets or hull.plane is NULL", "hull.vertices is NULL",
+                                          "hull.facet_count is larger than an index can number"};
+    paradt_points points = paradt_points_f64(x, 4, 2), weighted = points;
+    paradt_hull hull, wrong;
+    (void)state;
+    weighted.weights = x;
+    assert_int_equal(paradt_hull_compute(&hull, &points, NULL), PARADT_OK);
+    for (size_t i = 0; i < sizeof reasons / sizeof reasons[0]; i++) {
+        paradt_fault fault;
+        wrong = hull;
+        if (i == 3)
+            wrong.plane = NULL;
+        if (i == 4)
+            wrong.vertices = NULL;
+        if (i == 5)
+            wrong.facet_count = SIZE_MAX / 8;
+        assert_int_equal(paradt_hull_check(i == 2 ? NULL : &wrong, i == 0 ? NULL : i == 1 ? &weighted : &points, NULL, &fault),
+                         PARADT_ERROR_ARGUMENT);
+        assert_string_equal(fault.reason, reasons[i]);
+        assert_true(fault.cell == -1 && fault.point == -1);
+    }
+    paradt_hull_free(&hull);
+}
+
 static void flags_choose_the_neighbours(void **state) {
     (void)state;
     for (int dim = 2; dim <= 5; dim++) {
@@ -781,6 +828,105 @@ static void changed_hulls_are_refused(void **state) {
         }
 }
 
+static void refuses(const paradt_hull *hull, const paradt_points *points, const char *reason) {
+    paradt_fault fault;
+    assert_int_equal(paradt_hull_check(hull, points, NULL, &fault), PARADT_ERROR_INVALID);
+    assert_string_equal(fault.reason, reason);
+}
+
+static void exchange(paradt_index *a, paradt_index *b) {
+    paradt_index before = *a;
+    *a = *b;
+    *b = before;
+}
+
+// A segment with two equal points at its first end, with one thing wrong in each turn
+static void what_is_wrong_with_the_ends_of_a_line_is_named(void **state) {
+    static const double x[] = {0, 0, 1, 1, 2, 2, 0, 0};
+    paradt_points points = paradt_points_f64(x, 4, 2);
+    paradt_hull hull, wrong;
+    paradt_index facets[2], neighbors[2], plane[2], vertices[2];
+    (void)state;
+    assert_int_equal(paradt_hull_compute(&hull, &points, NULL), PARADT_OK);
+    assert_true(hull.dim == 1 && hull.facets[0] == 0 && hull.facets[1] == 2);
+    for (int turn = 0; turn < 10; turn++) {
+        wrong = hull;
+        wrong.facets = (paradt_index *)memcpy(facets, hull.facets, sizeof facets);
+        wrong.neighbors = (paradt_index *)memcpy(neighbors, hull.neighbors, sizeof neighbors);
+        wrong.plane = (paradt_index *)memcpy(plane, hull.plane, sizeof plane);
+        wrong.vertices = (paradt_index *)memcpy(vertices, hull.vertices, sizeof vertices);
+        switch (turn) {
+        case 0: assert_int_equal(paradt_hull_check(&wrong, &points, NULL, NULL), PARADT_OK); break;
+        case 1:
+            wrong.facet_count = wrong.plane_count = 1;
+            refuses(&wrong, &points, "a line has two facets, and a place none");
+            break;
+        case 2:
+            wrong.vertex_count = 1;
+            refuses(&wrong, &points, "vertex_count is not the number of vertices");
+            break;
+        case 3:
+            facets[0] = 4;
+            refuses(&wrong, &points, "a vertex is no point");
+            break;
+        case 4:
+            plane[1] = 0;
+            refuses(&wrong, &points, "the number of a plane is wrong");
+            break;
+        case 5:
+            neighbors[1] = 1;
+            refuses(&wrong, &points, "the ends are not neighbours");
+            break;
+        case 6:
+            vertices[0] = 1;
+            refuses(&wrong, &points, "a vertex is not listed");
+            break;
+        case 7:
+            facets[1] = vertices[1] = 1;
+            refuses(&wrong, &points, "a point is beyond an end");
+            break;
+        case 8:
+            facets[0] = vertices[0] = 3;
+            refuses(&wrong, &points, "a vertex is not the smallest index at its place");
+            break;
+        default:
+            wrong.point_count = 3;
+            refuses(&wrong, &points, "the hull is of another number of points");
+        }
+    }
+    paradt_hull_free(&hull);
+}
+
+// The corners of a cube, one of them twice
+static void what_is_wrong_with_a_cube_is_named(void **state) {
+    static const double x[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 0, 0, 0};
+    paradt_points points = paradt_points_f64(x, 9, 3), none = paradt_points_f64(x, 0, 3);
+    paradt_hull hull, empty;
+    size_t other;
+    (void)state;
+    assert_int_equal(paradt_hull_compute(&hull, &points, NULL), PARADT_OK);
+    hull.vertex_count--;
+    refuses(&hull, &points, "vertex_count is not the number of vertices");
+    hull.vertex_count++;
+    for (int turn = 0; turn < 2; turn++) { // the larger of two equal points takes the place of the other, and goes
+        for (size_t i = 0; i < hull.facet_count * 3; i++)
+            if (hull.facets[i] == (turn ? 8 : 0))
+                hull.facets[i] = turn ? 0 : 8;
+        if (!turn)
+            refuses(&hull, &points, "a vertex is not the smallest index at its place");
+    }
+    other = 3 * (size_t)hull.neighbors[0]; // a facet is turned over, with its links
+    exchange(&hull.facets[other], &hull.facets[other + 1]);
+    exchange(&hull.neighbors[other], &hull.neighbors[other + 1]);
+    refuses(&hull, &points, "neighbours lie on the same side of their ridge");
+    paradt_hull_free(&hull);
+    assert_int_equal(paradt_hull_compute(&empty, &none, NULL), PARADT_OK);
+    assert_int_equal(paradt_hull_check(&empty, &none, NULL, NULL), PARADT_OK);
+    empty.vertices = &(paradt_index){0};
+    empty.vertex_count = 1;
+    refuses(&empty, &none, "there are facets or vertices without points");
+}
+
 static void floats_and_strides_are_read(void **state) {
     (void)state;
     struct { char c; float x[3]; } rows[200];
@@ -804,6 +950,7 @@ int main(void) {
         cmocka_unit_test(hulls_are_the_boundaries_of_triangulations),
         cmocka_unit_test(many_points_have_the_hull_of_their_triangulation),
         cmocka_unit_test(samples_of_samples_drop_no_point_of_the_hull),
+        cmocka_unit_test(huge_and_tiny_scales_have_the_same_facets),
         cmocka_unit_test(cubes_simplices_and_cross_polytopes_have_their_measures),
         cmocka_unit_test(planes_are_those_of_exact_arithmetic),
         cmocka_unit_test(flat_sets_have_the_measures_of_their_flat),
@@ -815,8 +962,11 @@ int main(void) {
         cmocka_unit_test(the_memory_limit_is_kept),
         cmocka_unit_test(every_call_of_progress_may_cancel),
         cmocka_unit_test(wrong_arguments_are_named),
+        cmocka_unit_test(wrong_arguments_of_the_certificate_are_named),
         cmocka_unit_test(flags_choose_the_neighbours),
         cmocka_unit_test(changed_hulls_are_refused),
+        cmocka_unit_test(what_is_wrong_with_the_ends_of_a_line_is_named),
+        cmocka_unit_test(what_is_wrong_with_a_cube_is_named),
         cmocka_unit_test(floats_and_strides_are_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -732,6 +732,49 @@ static void wrong_arguments_are_refused(void **state) {
     sample_free(&s);
 }
 
+// What is no triangulation, of points that are at one place, or on a line
+static void wrong_cells_of_flat_sets_are_invalid(void **state) {
+    static const double x[] = {1, 1, 1, 1, 2, 2, 4, 4};
+    (void)state;
+    for (size_t count = 2; count <= 4; count += 2) {
+        paradt_points points = paradt_points_f64(x, count, 2);
+        paradt_triangulation t;
+        paradt_locator *locator;
+        assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+        assert_int_equal(t.dim, count == 2 ? 0 : 1);
+        assert_int_equal(paradt_locator_create(&locator, &t, &points, NULL), PARADT_OK);
+        paradt_locator_free(locator);
+        t.cells[0] = t.dim ? t.cells[1] : 2;
+        assert_int_equal(paradt_locator_create(&locator, &t, &points, NULL), PARADT_ERROR_INVALID);
+        assert_null(locator);
+        paradt_free(&t);
+    }
+}
+
+// The points that have gone from a living set need not be finite.
+static void gaps_of_a_living_set_are_passed_over(void **state) {
+    sample s = family_make(&families[0], NULL, 3, 100, 3);
+    paradt_points points = points_of(&s);
+    paradt_triangulation t;
+    paradt_dynamic *d;
+    paradt_locator *locator;
+    (void)state;
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    for (paradt_index id = 0; id < 100; id += 9) {
+        assert_int_equal(paradt_dynamic_remove(d, id), PARADT_OK);
+        s.x[3 * id] = NAN;
+    }
+    assert_int_equal(paradt_dynamic_export(d, &t), PARADT_OK);
+    assert_int_equal(paradt_locator_create(&locator, &t, &points, NULL), PARADT_OK);
+    for (paradt_index id = 0; id < 100; id++)
+        if (id % 9)
+            assert_int_equal(paradt_nearest_one(locator, s.x + 3 * id, -1), id);
+    paradt_locator_free(locator);
+    paradt_free(&t);
+    paradt_dynamic_free(d);
+    sample_free(&s);
+}
+
 // Whatever the arrays hold: an error or a locator, and queries that end
 static void bad_arrays_are_invalid_or_harmless(void **state) {
     sample s = family_make(&families[0], NULL, 3, 200, 3);
@@ -989,6 +1032,8 @@ int main(void) {
         cmocka_unit_test(floats_and_strides_are_read),
         cmocka_unit_test(queries_that_are_not_finite_are_named),
         cmocka_unit_test(wrong_arguments_are_refused),
+        cmocka_unit_test(wrong_cells_of_flat_sets_are_invalid),
+        cmocka_unit_test(gaps_of_a_living_set_are_passed_over),
         cmocka_unit_test(bad_arrays_are_invalid_or_harmless),
         cmocka_unit_test(any_allocation_may_fail),
         cmocka_unit_test(any_call_of_progress_may_cancel),

@@ -421,6 +421,35 @@ static void every_progress_call_can_cancel(void **state) {
     assert_true(reported > 0);
 }
 
+// Many equal points, or points on a sphere, are looked at once more before anything is built. That can be cancelled, too.
+static void reading_many_points_can_be_cancelled(void **state) {
+    (void)state;
+    for (int equal = 0; equal < 2; equal++) {
+        sample s = family_make(&families[family_named("sphere")], NULL, 3, 70000, 3);
+        paradt_points points = points_of(&s);
+        paradt_options options = {0};
+        size_t k;
+        for (int i = 0; i < 3 * 69000 && equal; i++)
+            s.x[i] = s.x[i % 3];
+        options.progress = note_progress;
+        for (k = 1; k < 60; k++) {
+            reports r = reports_open(k);
+            books b = books_open();
+            paradt_triangulation t;
+            keep_books(&options, &b);
+            options.user = &r;
+            paradt_status status = paradt_triangulate(&t, &points, &options);
+            assert_int_equal(status, r.calls < k ? PARADT_OK : PARADT_ERROR_CANCELLED);
+            paradt_free(&t);
+            assert_true(r.ordered && r.in_range && b.live == 0 && b.faults == 0);
+            if (!status)
+                break;
+        }
+        assert_true(k > 5);
+        sample_free(&s);
+    }
+}
+
 // With many cells and many hidden points, walks and hash chains are long, and each phase reports progress several times.
 static void a_triangulation_of_thousands_of_points_is_accepted(void **state) {
     (void)state;
@@ -985,6 +1014,7 @@ int main(void) {
         cmocka_unit_test(every_failing_allocation_is_an_error_and_leaks_nothing),
         cmocka_unit_test(the_memory_limit_is_kept),
         cmocka_unit_test(every_progress_call_can_cancel),
+        cmocka_unit_test(reading_many_points_can_be_cancelled),
         cmocka_unit_test(a_triangulation_of_thousands_of_points_is_accepted),
         cmocka_unit_test(without_neighbors_the_cells_are_the_same),
         cmocka_unit_test(large_sets_take_few_bytes_a_point),

@@ -54,6 +54,8 @@ int main(void) { return zlibVersion() == 0; }' -lz ;;
 int main() { return 0; }' -lvoro++ ;;
     nodejs) command -v node >/dev/null 2>&1 ;;
     libgcc-12-dev-arm64-cross) test -d /usr/lib/gcc-cross/aarch64-linux-gnu ;;
+    llvm) command -v llvm-cov >/dev/null 2>&1 && command -v llvm-profdata >/dev/null 2>&1 ;;
+    libclang-rt-14-dev) compiles clang c 'int main(void) { return 0; }' -fprofile-instr-generate ;;
     afl++) command -v afl-fuzz >/dev/null 2>&1 && command -v afl-clang-fast >/dev/null 2>&1 ;;
     mpich) command -v mpiexec >/dev/null 2>&1 ;;
     libmpich-dev) compiles "$(command -v mpicc.mpich || echo mpicc)" c '#include <mpi.h>

@@ -1148,7 +1148,23 @@ static void wrong_arguments_are_refused(void **state) {
         expect_error(&t, &points, NULL, NULL, PARADT_ERROR_INVALID);
         t.cells[i] = before;
     }
+    for (int i = 0; i < s.count; i++) // all cells become flat
+        s.x[3 * i + 2] = 0.5;
+    expect_error(&t, &points, NULL, NULL, PARADT_ERROR_INVALID);
     paradt_voronoi_free(NULL);
+    paradt_free(&t);
+    sample_free(&s);
+}
+
+static void centroids_are_there_up_to_three_dimensions(void **state) {
+    sample s = family_make(&families[family_named("uniform")], NULL, 4, 20, 3);
+    paradt_points points = points_of(&s);
+    paradt_voronoi_request request = {0};
+    paradt_triangulation t;
+    (void)state;
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+    request.outputs = PARADT_VORONOI_VOLUMES | PARADT_VORONOI_CENTROIDS;
+    expect_error(&t, &points, &request, NULL, PARADT_ERROR_ARGUMENT);
     paradt_free(&t);
     sample_free(&s);
 }
@@ -1259,6 +1275,7 @@ int main(void) {
         cmocka_unit_test(faces_between_points_that_almost_coincide_have_areas),
         cmocka_unit_test(every_call_of_progress_may_cancel),
         cmocka_unit_test(wrong_arguments_are_refused),
+        cmocka_unit_test(centroids_are_there_up_to_three_dimensions),
     };
     return RACES_ONLY ? cmocka_run_group_tests_name("voronoi", races, NULL, NULL)
                       : cmocka_run_group_tests_name("voronoi", tests, NULL, NULL);

@@ -398,6 +398,12 @@ static void same_cells_of_replicated_points(void) {
     }
 }
 
+// A paradt_parallel_for that uses the calling thread alone
+static void run_backwards(void *user, size_t count, void (*task)(void *context, size_t index), void *context) {
+    (void)user;
+    while (count-- > 0) task(context, count);
+}
+
 static void same_cells_by_other_options(void) {
     for (int m = 0; m < PARADT_METHOD_COUNT; m++) {
         paradt_mpi_options options;
@@ -406,6 +412,7 @@ static void same_cells_by_other_options(void) {
         options.local.method = (paradt_method)m;
         options.local.partition = m % 2 ? PARADT_UNIFORM : PARADT_BISECTION;
         options.local.regions = (size_t)m;
+        options.local.parallel_for = run_backwards;
         check_sample(&s, comms[3], DEALT, &options);
         sample_free(&s);
         finish_test("same cells by %s", paradt_method_string((paradt_method)m));
@@ -599,6 +606,8 @@ static void errors_are_agreed_on(void) {
             if (rank == culprit) wrong.data = NULL;
             good &= agreed(&t, &wrong, NULL, PARADT_ERROR_ARGUMENT, culprit, 0);
             good &= agreed(&t, rank == culprit ? NULL : &points, NULL, PARADT_ERROR_ARGUMENT, culprit, 0);
+            good &= paradt_mpi_triangulate(rank == culprit ? NULL : &t, comms[3], &points, NULL) == PARADT_ERROR_ARGUMENT;
+            if (rank != culprit) good &= t.error_rank == culprit && strstr(t.error_text, "out is NULL");
             if (rank == culprit) options.local.allocator.alloc = meter_alloc; // without a function that frees
             good &= agreed(&t, &points, &options, PARADT_ERROR_ARGUMENT, culprit, 0);
             options.local.allocator.alloc = NULL;
@@ -628,13 +637,21 @@ static void arguments_are_explained(void) {
                                             "options.local.partition is",
                                             "points.weights is NULL",
                                             "other than PARADT_MPI",
-                                            "points.data is NULL"};
+                                            "points.data is NULL",
+                                            "PARADT_FURTHEST_SITE, which ranks",
+                                            "points.count is not that of rank 0",
+                                            "the points are not those of rank 0"};
         for (int i = 0; i < (int)(sizeof texts / sizeof *texts); i++) {
             paradt_points points = points_of(&share);
             paradt_mpi_options options;
             paradt_mpi_triangulation t;
             memset(&options, 0, sizeof options);
             if (i == 5 && rank != 2) points.weights = share.x;
+            if (i > 8) { // all ranks have all points
+                points.data = s.x;
+                points.count = 399;
+                options.flags = PARADT_MPI_REPLICATED;
+            }
             if (rank == 2) {
                 if (i == 0) points.dim = 9;
                 if (i == 1) points.dim = 2;
@@ -643,6 +660,9 @@ static void arguments_are_explained(void) {
                 if (i == 4) options.local.partition = PARADT_UNIFORM;
                 if (i == 6) options.flags = 8;
                 if (i == 7) points.data = NULL;
+                if (i == 8) options.local.flags = PARADT_FURTHEST_SITE;
+                if (i == 9) points.count = 398;
+                if (i == 10) points.data = s.x + 3;
             }
             if (paradt_mpi_triangulate(&t, comms[3], &points, &options) != PARADT_ERROR_ARGUMENT || t.error_rank != 2 ||
                 !strstr(t.error_text, texts[i]))
@@ -871,7 +891,20 @@ static void options_and_errors(void) {
     always_cut_anew = 0;
 }
 
+// The ranks whose points are all near a sphere take their distances from it back, as one rank has a point off the sphere.
+static void one_point_is_off_the_sphere_of_the_others(void) {
+    for (uint64_t seed = 1; seed <= 6; seed++) {
+        sample s = family_make(&families[family_named("sphere")], NULL, 3, 3000, seed);
+        s.x[0] = 0.1 * (double)seed;
+        s.x[1] = s.x[2] = 0.2;
+        check_sample(&s, comms[3], BLOCKS, NULL);
+        sample_free(&s);
+    }
+    finish_test("one point is off the sphere of the others");
+}
+
 static void shares(void) {
+    one_point_is_off_the_sphere_of_the_others();
     two_ranks_have_half_of_the_points_each();
     ranks_between_others_have_fewer_points();
 }
