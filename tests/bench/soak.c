@@ -76,20 +76,19 @@ static uint64_t signature(const paradt_triangulation *t, unsigned flags) {
     return sum;
 }
 
-// expected: the signature of a certified result
+// Each method undivided or in regions, which takes turns. expected: the signature of a certified result
 static void try_methods(const sample *s, uint64_t number, const paradt_points *points, uint64_t expected) {
-    for (int method = 0; method < PARADT_METHOD_COUNT; method++)
-        for (int divided = 0; divided < 2; divided++) {
-            paradt_options options = {0};
-            paradt_triangulation t;
-            options.method = (paradt_method)method;
-            options.regions = divided ? 2 + number % 7 : 1;
-            options.partition = number % 3 ? PARADT_BISECTION : PARADT_UNIFORM;
-            options.flags = divided && number % 2 ? PARADT_FACETS : 0;
-            paradt_status status = paradt_triangulate(&t, points, &options);
-            expect(s, number, paradt_method_string(options.method), status, signature(&t, options.flags), expected);
-            paradt_free(&t);
-        }
+    for (int method = 0; method < PARADT_METHOD_COUNT; method++) {
+        paradt_options options = {0};
+        paradt_triangulation t;
+        options.method = (paradt_method)method;
+        options.regions = ((uint64_t)method + number) % 2 ? 2 + number % 7 : 1;
+        options.partition = number % 3 ? PARADT_BISECTION : PARADT_UNIFORM;
+        options.flags = number / 2 % 2 ? PARADT_FACETS : 0;
+        paradt_status status = paradt_triangulate(&t, points, &options);
+        expect(s, number, paradt_method_string(options.method), status, signature(&t, options.flags), expected);
+        paradt_free(&t);
+    }
 }
 
 // Half of the points move to where others of the family are.
@@ -136,17 +135,21 @@ static void try_hull(const sample *s, uint64_t number) {
     paradt_hull_free(&hull);
 }
 
-// Some points from the beginning, the others one by one; then some go and come back, which may give them other ids.
+// Some points from the beginning, the others one by one, a quarter of the sets by the Delaunay tree and a quarter by flips. In
+// others some go then and come back, which may give them other ids.
 static void try_living(const sample *s, uint64_t number, uint64_t hash) {
+    static const paradt_method methods[4] = {PARADT_AUTO, PARADT_DELAUNAY_TREE, PARADT_AUTO, PARADT_FLIP};
     paradt_points points = points_of(s);
+    paradt_options options = {0};
     paradt_dynamic *d;
     paradt_triangulation t;
     int first = s->count / 3;
+    options.method = methods[number % 4];
     points.count = (size_t)first;
-    paradt_status status = paradt_dynamic_create(&d, &points, NULL);
+    paradt_status status = paradt_dynamic_create(&d, &points, &options);
     for (int i = first; i < s->count && !status; i++)
         status = paradt_dynamic_insert(d, s->x + i * s->dim, s->w ? s->w[i] : 0, -1, NULL);
-    for (int i = (int)(number % 3); i < s->count && !status; i += 3) {
+    for (int i = (int)(number % 3); i < s->count && !status && options.method == PARADT_AUTO; i += 3) {
         paradt_index id;
         status = paradt_dynamic_remove(d, i);
         if (!status)
@@ -176,7 +179,7 @@ static void try_furthest(const sample *s, uint64_t number) {
 }
 
 static void try_set(uint64_t number) {
-    static const int most[] = {0, 0, 40, 30, 16, 12, 10}, most_extreme[] = {0, 0, 16, 12, 8, 8, 8};
+    static const int most[] = {0, 0, 40, 30, 16, 12, 10}, most_extreme[] = {0, 0, 16, 12, 7};
     uint64_t state = number * 0x9e3779b97f4a7c15u + 1;
     const family *f = &families[number % FAMILY_COUNT];
     const weighting *w = &weightings[random_below(&state, 2) ? 0 : random_below(&state, WEIGHTING_COUNT)];
