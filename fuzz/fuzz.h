@@ -10,6 +10,7 @@
 //     mkdir -p build/found && build/fuzz build/found fuzz/corpus/hull
 //
 //     cc -g -DPARADT_FUZZ_STANDALONE -I. -o build/replay fuzz/fuzz_hull.c -lm && build/replay fuzz/corpus/hull/*
+//     build/replay --random 0 100000
 #ifndef PARADT_FUZZ_H
 #define PARADT_FUZZ_H
 
@@ -146,8 +147,8 @@ typedef struct decoded {
     int first_bad; // index of the first point that is not finite, or -1
 } decoded;
 
-// Returns how many points an input may have, so that most take much less than a millisecond. Two thirds of the choices stay small. In
-// some encodings predicates need thousands of bits, the more the higher the dimension.
+// Returns how many points an input may have, so that most take much less than a millisecond. Two thirds of the choices stay
+// small. In some encodings predicates need thousands of bits, the more the higher the dimension.
 static inline int room(const int *most_points, int dim, int choice, int far_apart) {
     int most = choice == 0 || choice > 20 ? most_points[dim] : most_points[dim] / 2; // all, of seeds without a choice
     int bound = dim == 2 ? 24 : dim == 3 ? 16 : dim + 4;
@@ -293,7 +294,8 @@ static void run_copy(const uint8_t *data, size_t size) {
     free(copy);
 }
 
-// Usage: FILE... runs files. --random FIRST COUNT runs random bytes number FIRST to FIRST + COUNT - 1; --write NUMBER FILE writes such.
+// Usage: FILE... runs files. --random FIRST COUNT runs random bytes number FIRST to FIRST + COUNT - 1; --write NUMBER FILE
+// writes those of a number.
 int main(int argc, char **argv) {
     static uint8_t data[1 << 20];
     size_t size;

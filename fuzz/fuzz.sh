@@ -23,7 +23,7 @@ build() { # plain or sanitized, harnesses
     manner=$1
     shift
     flags="-g1 -O2 -include tests/asserts.h -I. -DPARADT_FUZZ_LINKED"
-    test $manner = plain || flags="-g1 -O1 -include tests/asserts.h -I. -DPARADT_FUZZ_LINKED -fsanitize=address,undefined -fno-sanitize-recover=all"
+    test $manner = plain || flags="$flags -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
     mkdir -p $root/$manner
     library=$root/$manner/paradt_$fuzzer.o
     if [ -z "$(find $library -newer paradt.h -newer tests/asserts.h 2>/dev/null)" ]; then
@@ -41,7 +41,7 @@ dictionary() { # harness, the option that names a dictionary
 
 # The sum of a number in AFL++'s statistics over all instances
 total() { # its name
-    cat $found/*/fuzzer_stats 2>/dev/null | awk -v name="$1" '$1 == name { sum += $3 } END { print sum + 0 }'
+    cat $found/*/fuzzer_stats 2>/dev/null | awk -v name="$1" '$1 == name { sum += $3 } END { printf "%.0f", sum }'
 }
 
 row() { # harness, manner, runs, runs a second, paths, coverage, faults
@@ -56,7 +56,8 @@ by_afl() { # harness, manner, number of the instance, seconds
     test $2 = sanitized && set -- "$@" $root/found/plain/$1/*/queue && test -d "$5" && first=$5
     own=$found/$3/fuzzer_stats
     before=$(sed -n 's/^execs_done *: *//p' $own 2>/dev/null)
-    afl-fuzz -V $4 -t 5000 -m none -i $first -o $found -S $3 $(dictionary $1 "-x ") -- $root/$2/$1 >$log 2>&1 || tail -5 $log >&2
+    afl-fuzz -V $4 -t 5000 -m none -i $first -o $found -S $3 $(dictionary $1 "-x ") -- $root/$2/$1 >$log 2>&1 ||
+        tail -5 $log >&2
     after=$(sed -n 's/^execs_done *: *//p' $own 2>/dev/null)
     echo $((${after:-0} - ${before:-0}))
 }
@@ -110,13 +111,13 @@ done
 for manner in $MANNERS; do
     for harness; do
         harness=${harness%%:*}
-        runs=$(cat $root/runs/$manner.$harness.* | awk '{ sum += $1 } END { print sum + 0 }')
+        runs=$(cat $root/runs/$manner.$harness.* | awk '{ sum += $1 } END { printf "%.0f", sum }')
         if [ $fuzzer = afl ]; then
             found=$root/found/$manner/$harness
             ls $found/*/crashes/id* $found/*/hangs/id* 2>/dev/null >$root/shown
             row $harness $manner $runs "$(total execs_per_sec)" "$(total corpus_count)" \
-                "$(cat $found/*/fuzzer_stats | awk '$1 == "edges_found" && $3 > found { found = $3 } $1 == "total_edges" { all = $3 }
-                    END { print found " of " all }')" $(wc -l <$root/shown)
+                "$(cat $found/*/fuzzer_stats | awk '$1 == "edges_found" && $3 > found { found = $3 }
+                    $1 == "total_edges" { all = $3 } END { print found " of " all }')" $(wc -l <$root/shown)
         else
             log=$root/$manner/$harness.1.log
             ls $root/$manner/faults/$harness-* 2>/dev/null >$root/shown
@@ -130,7 +131,8 @@ done
 echo
 row harness manner runs "a second" paths "edges covered" faults
 cat $root/table
-awk '{ sum[$2] += $3; all += $3 } END { for (manner in sum) print manner " runs: " sum[manner]; print "all runs: " all }' $root/table
+awk '{ sum[$2] += $3; all += $3 } END { for (manner in sum) printf "%s runs: %.0f\n", manner, sum[manner]
+    printf "all runs: %.0f\n", all }' $root/table
 if [ -s $root/faults ]; then
     echo "These show faults (build/tests/fuzz/fuzz_HARNESS FILE replays one, after make test-programs):"
     cat $root/faults
