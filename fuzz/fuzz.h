@@ -151,7 +151,7 @@ typedef struct decoded {
 // small. In some encodings predicates need thousands of bits, the more the higher the dimension.
 static inline int room(const int *most_points, int dim, int choice, int far_apart) {
     int most = choice == 0 || choice > 20 ? most_points[dim] : most_points[dim] / 2; // all, of seeds without a choice
-    int bound = dim == 2 ? 24 : dim == 3 ? 16 : dim + 4;
+    int bound = most_points[dim] / 3 > dim + 2 ? most_points[dim] / 3 : dim + 2;
     return far_apart && most > bound ? bound : most;
 }
 

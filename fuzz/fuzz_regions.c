@@ -94,7 +94,9 @@ typedef struct repeated {
 static void repeat(repeated *r, const decoded *in, int times, int which) {
     static const int most[MAX_DIM + 1] = {0, 0, MOST_REPEATED, MOST_REPEATED / 2, 40, 20};
     size_t dim = (size_t)in->points.dim, n = in->points.count, i, k;
-    size_t limit = (size_t)room(most, in->points.dim, in->choice, in->far_apart);
+    size_t limit = (size_t)room(most, in->points.dim, in->choice, 0);
+    if (in->far_apart && limit > 2 * n)
+        limit = 2 * n;
     if (which == VORONOI && dim > 3)
         limit = 8;
     r->points = in->points;

@@ -239,7 +239,7 @@ static void try_unclipped(const decoded *in, const paradt_triangulation *t, unsi
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static const int most_points[MAX_DIM + 1] = {0, 0, 40, 24, 10, 0};
+    static const int most_points[MAX_DIM + 1] = {0, 0, 32, 18, 8, 0};
     double box[2 * MOST_DIM];
     unsigned outputs;
     source b = {data, size}, header = {data, size};
