@@ -18,12 +18,14 @@ export AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 AF
 # a run takes less than finding out how to shorten its input
 export AFL_DISABLE_TRIM=1 AFL_FAST_CAL=1
 
-# The library is compiled once for all harnesses, and again when it has changed.
+# The library is compiled once for all harnesses, and again when it has changed. With sanitizers it is not optimized, and undefined
+# behaviour is a trap, as compiling takes many minutes otherwise.
 build() { # plain or sanitized, harnesses
     manner=$1
     shift
     flags="-g1 -O2 -include tests/asserts.h -I. -DPARADT_FUZZ_LINKED"
-    test $manner = plain || flags="$flags -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
+    test $manner = plain || flags="$flags -O0 -fsanitize=address,undefined -fsanitize-trap=undefined"
+    test $manner = plain || export AFL_DONT_OPTIMIZE=1
     mkdir -p $root/$manner
     library=$root/$manner/paradt_$fuzzer.o
     if [ -z "$(find $library -newer paradt.h -newer tests/asserts.h 2>/dev/null)" ]; then
