@@ -260,8 +260,8 @@ $(COVERAGE)/mpi: tests/programs/mpi.c
 # --- the rest --------------------------------------------------------------------------------------------------------
 
 FUZZ_SECONDS := 60
-fuzz: ## Fuzz each harness for FUZZ_SECONDS=60 without sanitizers and as long with them, by AFL++ or else libFuzzer
-	sh fuzz/fuzz.sh $(FUZZ_SECONDS)
+fuzz: ## Fuzz each harness (or FUZZ="hull living:2", with weights) for FUZZ_SECONDS=60 without sanitizers and as long with them
+	JOBS=$(JOBS) sh fuzz/fuzz.sh $(FUZZ_SECONDS) $(FUZZ)
 
 bench: ## Compare speed and memory with the peers that Debian packages (CGAL, TetGen, Qhull)
 	sh tests/bench/run.sh

@@ -1651,7 +1651,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     changes of a living set      465   one point comes, goes or moves; the set anew
 //     making a living set          267   the set anew
 //     living set                   464   the entry
-//     reading a living set         255   cells, stars, places and what is nearest, without a change
+//     reading a living set         256   cells, stars, places and what is nearest, without a change
 //     diagram                      280   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             156   centres of cells, and their errors
@@ -27983,10 +27983,11 @@ static paradt_status paradt__export_cells(const paradt_dynamic *d, paradt_triang
     const paradt_index *owner = d->column[PARADT__OWNER];
     size_t corners = (size_t)mesh->corners, i, j;
     for (i = 0; i < mesh->count; i++) {
-        paradt_index *cell = out->cells + (size_t)number[i] * corners;
-        paradt_index *links = out->neighbors + (size_t)number[i] * corners;
+        paradt_index *cell, *links;
         if (paradt__meter_stops(meter, i)) return PARADT_ERROR_CANCELLED;
         if (number[i] < 0) continue;
+        cell = out->cells + (size_t)number[i] * corners;
+        links = out->neighbors + (size_t)number[i] * corners;
         for (j = 0; j < corners; j++) {
             paradt_index other = number[paradt__mesh_cell(mesh, mesh->links[i * corners + j])];
             cell[j] = owner[mesh->vertices[i * corners + j]];

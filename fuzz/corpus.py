@@ -37,7 +37,7 @@ def encoded(encoding, numbers):
 
 def seed(name, dim, encoding, numbers, weighted=False, copies=False, keep=False, uniform=False, regions=3, parameter=0,
          spoil=5, copied_axis=None, constant_axis=None):
-    """Writes one seed.
+    """Writes one seed. What a fuzzer does with it depends on the name.
 
     numbers: signed bytes for LATTICE and ULPS, pairs of signed bytes for SCALED, doubles or bit patterns for RAW.
     """
@@ -47,7 +47,8 @@ def seed(name, dim, encoding, numbers, weighted=False, copies=False, keep=False,
         flat = 2 * copied_axis + 1
     if constant_axis is not None:
         flat = 2 * (constant_axis + dim)
-    data = bytes([flags, regions - 1, parameter, spoil, flat]) + encoded(encoding, numbers)
+    choice = sum(name.encode()) % 29
+    data = bytes([flags, regions - 1 + 9 * choice, parameter, spoil, flat]) + encoded(encoding, numbers)
     for harness in POINTS:
         if harness == "regions":  # the call, then its options; which of them, the name decides
             number = sum(name.encode())
@@ -194,12 +195,13 @@ def predicates():
 
 
 REMOVE, INSERT, MOVE, REMOVE_MANY, INSERT_MANY, MOVE_MANY, ASK = range(7)
+WALK, TREE, FLIPS = range(3)  # how points are located
 
 
-def living(name, dim, encoding, first, operations, weighted=False, parameter=0, flat=0):
+def living(name, dim, encoding, first, operations, weighted=False, parameter=0, flat=0, method=WALK):
     """Writes a seed of fuzz_living.c. first: the first points; operations: (kind, flags, bytes)"""
     count = len(first)
-    data = bytes([dim - 2 | encoding << 2 | weighted << 4 | count << 5, parameter, flat])
+    data = bytes([dim - 2 | encoding << 2 | weighted << 4 | count << 5, parameter, flat | method << 3])
     data += struct.pack("<%db" % len(listed(first)), *listed(first)) + bytes([255])
     for kind, flags, more in operations:
         data += bytes([kind | flags]) + bytes(x % 256 for x in more)
@@ -229,6 +231,15 @@ def livings():
         weighty = [(INSERT, 0, (0,) + p + (i % 3,)) for i, p in enumerate(grid[:24])]
         living("weighted_%dd" % dim, dim, LATTICE, [], weighty + [(MOVE, 0, (i,) + grid[i] + (9 * i,)) for i in range(8)] + go,
                weighted=True)
+        for name, method in (("tree", TREE), ("flips", FLIPS)):
+            some = tuple(listed((i,) + p for i, p in enumerate(grid[:8])))
+            living("by_%s_%dd" % (name, dim), dim, LATTICE, grid[:7],
+                   come[:12] + ask + [(INSERT_MANY, 7 << 5, some), walk[0], go[0], (MOVE_MANY, 32, some[:2 * dim + 2])] +
+                   [(INSERT, 8, (0, i) + p) for i, p in enumerate(grid[1:9])] + ask, method=method)
+            living("by_%s_weighted_%dd" % (name, dim), dim, LATTICE, [], weighty + ask, weighted=True, method=method)
+            living("by_%s_out_of_a_flat_%dd" % (name, dim), dim, ULPS, grid[:5],
+                   come[:5] + [(INSERT, 16, (0,) + tuple(scattered(dim, 5, i + 1))) for i in range(12)], parameter=ONE,
+                   flat=1, method=method)
 
 
 def readers():

@@ -10,6 +10,7 @@
 //     mkdir -p build/found && build/fuzz build/found fuzz/corpus/hull
 //
 //     cc -g -DPARADT_FUZZ_STANDALONE -I. -o build/replay fuzz/fuzz_hull.c -lm && build/replay fuzz/corpus/hull/*
+//     build/replay --random 0 100000
 #ifndef PARADT_FUZZ_H
 #define PARADT_FUZZ_H
 
@@ -27,6 +28,14 @@
 #include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+// A replay does with an input all that a harness can do. A fuzzer, for which many inputs are worth more, does a part, which the
+// input chooses: so what it finds shows in a replay.
+#ifdef PARADT_FUZZ_STANDALONE
+enum { ASKS_ALL = 1 };
+#else
+enum { ASKS_ALL = 0 };
+#endif
 
 // Prints an error and aborts, which fuzzers notice.
 static inline void fail(const char *what, const char *detail) {
@@ -132,29 +141,41 @@ typedef struct decoded {
     paradt_points points;
     size_t regions;
     paradt_partition partition;
+    int choice;    // from byte 1 of the header
+    int far_apart; // 1: numbers may be of very different sizes
     int spoil;     // byte 3 of the header
     int first_bad; // index of the first point that is not finite, or -1
 } decoded;
 
+// Returns how many points an input may have, so that most take much less than a millisecond. Two thirds of the choices stay
+// small. In some encodings predicates need thousands of bits, the more the higher the dimension.
+static inline int room(const int *most_points, int dim, int choice, int far_apart) {
+    int most = choice == 0 || choice > 20 ? most_points[dim] : most_points[dim] / 2; // all, of seeds without a choice
+    int bound = most_points[dim] / 3 > dim + 2 ? most_points[dim] / 3 : dim + 2;
+    return far_apart && most > bound ? bound : most;
+}
+
 // Decodes the points of an input. Its first five bytes are a header:
 //     0  bits 0-1: dimension - 2; bits 2-3: encoding; bit 4: the points have weights; bit 5: every third point is a
 //        copy; bit 6: numbers that are not finite are kept; bit 7: uniform partition
-//     1  regions - 1
+//     1  regions - 1, modulo 9; and divided by 9, which is 0-28, for the harness: in->choice
 //     2  parameter of the encoding
 //     3  for the harness: in->spoil
 //     4  0, or the points are flat: bit 0: 1: an axis equals the next one, 0: it is constant; bits 1-7: this axis
 // The points follow, until the input or the room ends: the coordinates of each and, if there are weights, its weight.
-//   most_points  [MAX_DIM + 1] by dimension: fewer in higher ones, where a point costs more. An input should take well
-//                below a tenth of a second, with sanitizers.
+//   most_points  [MAX_DIM + 1] by dimension: fewer in higher ones, where a point costs more; see room.
 static inline void decode(decoded *in, source *b, const int *most_points) {
     int flags = next_byte(b), regions = next_byte(b), parameter = next_byte(b), dim = 2 + (flags & 3), count = 0, i;
     int encoding = flags >> 2 & 3, weighted = flags >> 4 & 1, copies = flags >> 5 & 1, keep = flags >> 6 & 1;
-    int flat, axis;
+    int flat, axis, most;
     in->spoil = next_byte(b);
     flat = next_byte(b);
     axis = (flat >> 1) % dim;
     in->first_bad = -1;
-    for (; b->left && count < most_points[dim]; count++) {
+    in->choice = regions / MAX_REGIONS;
+    in->far_apart = encoding >= SCALED || (weighted && parameter >> 5);
+    most = room(most_points, dim, in->choice, in->far_apart);
+    for (; b->left && count < most; count++) {
         double *x = in->x + count * dim;
         int from = copies && count % 3 == 2 ? next_byte(b) % count : -1, bad;
         for (i = 0; i < dim; i++)
@@ -174,6 +195,11 @@ static inline void decode(decoded *in, source *b, const int *most_points) {
     in->points.weights = weighted ? in->w : NULL;
     in->regions = (size_t)(regions % MAX_REGIONS + 1);
     in->partition = flags >> 7 ? PARADT_UNIFORM : PARADT_BISECTION;
+}
+
+// Is a part of what can be done with an input to be done: number `part` of so many?
+static inline int asks(const decoded *in, int part, int parts) {
+    return ASKS_ALL || in->choice % parts == part;
 }
 
 static inline int is_same_place(const double *a, const double *b, size_t dim) {
@@ -224,26 +250,81 @@ static inline int has_failed(const account *b) {
 // --- replay
 
 #ifdef PARADT_FUZZ_STANDALONE
+#include <signal.h>
+
+// The input that is run, for a report: a file, or the number of random bytes
+static const char *running_file;
+static unsigned long long running_number;
+
+static void report(int number) {
+    if (running_file)
+        fprintf(stderr, "in %s\n", running_file);
+    else
+        fprintf(stderr, "in random bytes %llu\n", running_number);
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+static uint64_t next_random(uint64_t *state) { // Steele, Lea and Flood, OOPSLA 2014
+    uint64_t x = *state += 0x9e3779b97f4a7c15u;
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+    return x ^ x >> 31;
+}
+
+// Fills random bytes, mostly few, all of which follow from a number. Half of them are small numbers. Returns how many there are.
+static size_t random_bytes(uint8_t *data, uint64_t number) {
+    uint64_t state = number << 16;
+    size_t size = 5 + next_random(&state) % (next_random(&state) % 4 ? 90 : 400), i;
+    int small = (int)(next_random(&state) % 2);
+    for (i = 0; i < size; i++) {
+        uint64_t random = next_random(&state);
+        data[i] = (uint8_t)(small && i > 8 ? random % 8 - 3 : random);
+    }
+    return size;
+}
+
+// From the heap and of this size, so that sanitizers see what is read beyond it.
+static void run_copy(const uint8_t *data, size_t size) {
+    uint8_t *copy = (uint8_t *)malloc(size + !size);
+    if (!copy)
+        exit(2);
+    memcpy(copy, data, size);
+    LLVMFuzzerTestOneInput(copy, size);
+    free(copy);
+}
+
+// Usage: FILE... runs files. --random FIRST COUNT runs random bytes number FIRST to FIRST + COUNT - 1; --write NUMBER FILE
+// writes those of a number.
 int main(int argc, char **argv) {
     static uint8_t data[1 << 20];
+    size_t size;
+    FILE *file;
     int i;
+    signal(SIGABRT, report);
+    signal(SIGSEGV, report);
+    signal(SIGFPE, report);
+    if (argc == 4 && !strcmp(argv[1], "--random")) {
+        unsigned long long first = strtoull(argv[2], NULL, 10), count = strtoull(argv[3], NULL, 10);
+        for (running_number = first; running_number < first + count; running_number++)
+            run_copy(data, random_bytes(data, running_number));
+        return 0;
+    }
+    if (argc == 4 && !strcmp(argv[1], "--write")) {
+        size = random_bytes(data, strtoull(argv[2], NULL, 10));
+        file = fopen(argv[3], "wb");
+        return !file || fwrite(data, 1, size, file) != size || fclose(file);
+    }
     for (i = 1; i < argc; i++) {
-        FILE *file = fopen(argv[i], "rb");
-        uint8_t *copy; // of the size read, so that sanitizers see what is read beyond it
-        size_t size;
+        file = fopen(argv[i], "rb");
         if (!file) {
             perror(argv[i]);
             return 2;
         }
         size = fread(data, 1, sizeof data, file);
         fclose(file);
-        fprintf(stderr, "%s\n", argv[i]);
-        copy = (uint8_t *)malloc(size + !size);
-        if (!copy)
-            return 2;
-        memcpy(copy, data, size);
-        LLVMFuzzerTestOneInput(copy, size);
-        free(copy);
+        running_file = argv[i];
+        run_copy(data, size);
     }
     return 0;
 }

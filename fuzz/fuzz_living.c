@@ -1,8 +1,9 @@
 // Any bytes are decoded to a stream of operations on a living set in 2 to 5 dimensions: points come, go and move, one at a time
 // and many, and some allocations fail. After each operation
-//     - the cells and representatives have to be those of paradt_triangulate for the points that are there
+//     - the cells and representatives have to be those of paradt_triangulate for the points that are there: a replay compares
+//       them each time, a fuzzer now and then and at the end
 //     - the cells that the update lists say were killed and made have to be the difference to the cells before
-//     - after an error the set has to be what it was before
+//     - after an error, and after what such a set refuses, it has to be what it was before
 //     - neighbours have to be each other's, and places have to be found where exact orientations say
 //     - the nearest vertex has to be the nearest by wide integers
 // At the end no memory may be held.
@@ -11,7 +12,8 @@
 //     0  bits 0-1: dimension - 2; bits 2-3: encoding; bit 4: the points have weights; bits 5-7: number of points at first
 //     1  parameter of the encoding
 //     2  bits 0-1: points are flat, until an operation says otherwise: 1: the last axis is 0; 2: it is the first one;
-//        bit 2: also the last but one is constant
+//        bit 2: also the last but one is constant; bits 3-4: how points are located: 1: by the Delaunay tree, 2: by flips,
+//        else by a walk. Only with a walk points may go and move.
 // After the first points come operations: a byte, of which bits 0-2 say what is done, bit 3 that the next allocation but as
 // many as the next byte says fails, bit 4 that points leave the flat, and bits 5-7 how many points a batch has.
 #include "fuzz.h"
@@ -24,12 +26,14 @@ typedef struct living {
     account blocks;
     source bytes;
     int dim, encoding, parameter, weighted, flat;
+    paradt_method method;
     double x[MOST_IDS][MAX_DIM], w[MOST_IDS]; // by id
     int there[MOST_IDS];
-    int stands[MOST_IDS]; // after the last operation: 1: the id is a vertex
-    size_t cells;         // after the last operation: their number,
-    uint64_t hash;        // ... and their hash
-    int alone;            // 1: no two points are at one place
+    // after the last operation:
+    paradt_index stands[MOST_IDS]; // the vertex that stands for an id; -1: hidden, -2: free
+    size_t cells;                  // their number,
+    uint64_t hash;                 // ... and their hash
+    int alone;                     // 1: no two points are at one place
 } living;
 
 // --- what has to be there
@@ -72,30 +76,60 @@ static uint64_t hash_of_ids(const paradt_triangulation *t, const int *id) {
     return sum;
 }
 
-static void expect_same_result(living *l) {
-    paradt_triangulation t, u;
-    int id[MOST_IDS];
+static int no_two_share_a_place(const living *l) {
+    int i, j;
+    for (i = 0; i < MOST_IDS; i++)
+        for (j = 0; j < i && l->there[i]; j++)
+            if (l->there[j] && is_same_place(l->x[i], l->x[j], (size_t)l->dim))
+                return 0;
+    return 1;
+}
+
+// Exports the set, and notes its cells and which ids stand for which.
+static void look(living *l) {
+    paradt_triangulation u;
+    paradt_dynamic_info info;
     size_t i;
     l->blocks.fail_at = -1;
-    triangulate_those_there(l, &t, id);
+    paradt_dynamic_get_info(l->set, &info);
     expect_ok(paradt_dynamic_export(l->set, &u), "export");
-    if (u.dim != t.dim || paradt_hash(&u) != hash_of_ids(&t, id))
-        fail("living set", "the cells are not those of a new triangulation");
-    for (i = 0; i < t.point_count; i++) {
-        paradt_index stands = t.representative[i] < 0 ? -1 : id[t.representative[i]];
-        if (u.representative[id[i]] != stands || paradt_dynamic_representative(l->set, id[i]) != stands)
-            fail("living set", "a representative is not that of a new triangulation");
-    }
-    for (i = 0; i < u.point_count; i++)
-        if ((u.representative[i] == -2) != (i >= MOST_IDS || !l->there[i]))
-            fail("living set", "an id is free that should not be, or the other way round");
+    if (u.dim != info.dim)
+        fail("living set", "it is exported in another dimension");
     l->hash = paradt_hash(&u);
     l->cells = u.cell_count;
-    l->alone = !t.stats.duplicates;
-    for (i = 0; i < MOST_IDS; i++)
-        l->stands[i] = l->there[i] && u.representative[i] == (paradt_index)i;
+    l->alone = no_two_share_a_place(l);
+    for (i = 0; i < MOST_IDS; i++) {
+        l->stands[i] = i < u.point_count ? u.representative[i] : -2;
+        if (paradt_dynamic_representative(l->set, (paradt_index)i) != l->stands[i])
+            fail("living set", "a representative is another one when exported");
+        if ((l->stands[i] == -2) != !l->there[i])
+            fail("living set", "an id is free that should not be, or the other way round");
+    }
+    for (; i < u.point_count; i++)
+        if (u.representative[i] != -2)
+            fail("living set", "an id is not free that should be");
     paradt_free(&u);
+}
+
+// What the last look saw has to be what a new triangulation says.
+static void expect_same_result(const living *l) {
+    paradt_triangulation t;
+    paradt_dynamic_info info;
+    int id[MOST_IDS];
+    size_t i;
+    triangulate_those_there(l, &t, id);
+    paradt_dynamic_get_info(l->set, &info);
+    if (info.dim != t.dim || l->cells != t.cell_count || l->hash != hash_of_ids(&t, id))
+        fail("living set", "the cells are not those of a new triangulation");
+    for (i = 0; i < t.point_count; i++)
+        if (l->stands[id[i]] != (t.representative[i] < 0 ? -1 : id[t.representative[i]]))
+            fail("living set", "a representative is not that of a new triangulation");
     paradt_free(&t);
+}
+
+static void expect_as_before(const living *l, const living *before) {
+    if (l->hash != before->hash || l->cells != before->cells || memcmp(l->stands, before->stands, sizeof l->stands))
+        fail("living set", "it is not what it was before an error");
 }
 
 // Each facet has to be the mirror of its mirror, and stars have to count the cells of their vertex.
@@ -145,7 +179,7 @@ static void expect_update(const living *l, const living *before, int alone) {
         size_t corners = (size_t)update.dim_before + 1;
         const paradt_index *killed = update.killed_vertices + i * corners;
         for (j = 0; j < corners; j++)
-            if (killed[j] < 0 || killed[j] >= MOST_IDS || !before->stands[killed[j]])
+            if (killed[j] < 0 || killed[j] >= MOST_IDS || before->stands[killed[j]] != killed[j])
                 fail("update", "a killed cell has a vertex that was none before");
         hash -= hash_of(killed, update.dim_before + 1);
     }
@@ -171,8 +205,7 @@ static void power_distance(const living *l, const double *x, int id, int scale, 
         wide_of(&difference, x[k], scale);
         wide_of(&number, l->x[id][k], scale);
         wide_add(&difference, &number, -1);
-        number = difference;
-        wide_multiply(&square, &difference, &number);
+        wide_multiply(&square, &difference, &difference);
         wide_add(distance, &square, 1);
     }
     wide_of(&number, l->w[id], 2 * scale);
@@ -273,10 +306,15 @@ static void put(living *l, paradt_index id, const double *x, double w) {
     l->there[id] = 1;
 }
 
-// After an error, which has to be that of a failed allocation, nothing may be changed. Returns 1 if the change was made.
-static int was_done(living *l, paradt_status status, const char *what) {
-    if (status && !(status == PARADT_ERROR_MEMORY && has_failed(&l->blocks)))
+// An error has to be that of a failed allocation, or to say what such a set refuses. Returns 1 if the change was made.
+// kind: 0: remove, 1: insert, 2: move
+static int was_done(const living *l, int kind, paradt_status status, const char *what) {
+    if (kind != 1 && l->method != PARADT_AUTO) {
+        if (status != PARADT_ERROR_ARGUMENT)
+            fail(what, "points went or moved where they only come");
+    } else if (status && !(status == PARADT_ERROR_MEMORY && has_failed(&l->blocks))) {
         fail(what, paradt_status_string(status));
+    }
     return !status;
 }
 
@@ -288,15 +326,15 @@ static int one(living *l, int kind) {
     if (kind)
         next_point(l, x, &w);
     if (kind == 1) {
-        done = id_from(l, 0, 0) >= 0 && was_done(l, paradt_dynamic_insert(l->set, x, w, id, &made), "insert");
+        done = id_from(l, 0, 0) >= 0 && was_done(l, kind, paradt_dynamic_insert(l->set, x, w, id, &made), "insert");
     } else if (id < 0) {
         if (paradt_dynamic_remove(l->set, 0) != PARADT_ERROR_ARGUMENT)
             fail("remove", "a point that is not there was removed");
         done = 0;
     } else if (kind == 0) {
-        done = was_done(l, paradt_dynamic_remove(l->set, id), "remove");
+        done = was_done(l, kind, paradt_dynamic_remove(l->set, id), "remove");
     } else {
-        done = was_done(l, paradt_dynamic_move(l->set, id, x, w), "move");
+        done = was_done(l, kind, paradt_dynamic_move(l->set, id, x, w), "move");
     }
     if (done && kind)
         put(l, made, x, w);
@@ -331,7 +369,7 @@ static int many(living *l, int kind, int count) {
     status = kind == 0   ? paradt_dynamic_remove_points(l->set, ids, (size_t)found)
              : kind == 1 ? paradt_dynamic_insert_points(l->set, &points, ids)
                          : paradt_dynamic_move_points(l->set, ids, &points);
-    if (!was_done(l, status, "batch"))
+    if (!was_done(l, kind, status, "batch"))
         return 0;
     for (i = 0; i < found; i++) {
         if (kind)
@@ -342,7 +380,8 @@ static int many(living *l, int kind, int count) {
     return 1;
 }
 
-static void operate(living *l) {
+// compares: 1: the result is compared with a new triangulation
+static void operate(living *l, int compares) {
     int operation = next_byte(&l->bytes), kind = operation & 7, done;
     static living before;
     if (operation >> 4 & 1)
@@ -354,10 +393,15 @@ static void operate(living *l) {
     before = *l;
     l->blocks.fail_at = operation >> 3 & 1 ? l->blocks.calls + next_byte(&l->bytes) : -1;
     done = kind < 3 ? one(l, kind) : many(l, kind - 3, 1 + (operation >> 5));
-    expect_same_result(l);
-    expect_sound_cells(l);
+    look(l);
     if (done)
         expect_update(l, &before, kind < 5);
+    else
+        expect_as_before(l, &before);
+    if (compares) {
+        expect_same_result(l);
+        expect_sound_cells(l);
+    }
 }
 
 // Returns 0 where an allocation failed.
@@ -370,8 +414,9 @@ static int create(living *l, int count) {
         next_point(l, x + i * l->dim, w + i);
     if (l->weighted)
         points.weights = w;
+    options.method = l->method;
     l->blocks.fail_at = next_byte(&l->bytes) < 32 ? next_byte(&l->bytes) : -1;
-    if (!was_done(l, paradt_dynamic_create(&l->set, &points, &options), "create")) {
+    if (!was_done(l, 1, paradt_dynamic_create(&l->set, &points, &options), "create")) {
         if (l->set)
             fail("create", "there is a set after an error");
         return 0;
@@ -382,7 +427,8 @@ static int create(living *l, int count) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    enum { MOST_OPERATIONS = 60 };
+    enum { MOST_OPERATIONS = 60, COMPARED = ASKS_ALL ? 1 : 8 }; // every so many-th result is compared with a new one
+    static const paradt_method methods[4] = {PARADT_AUTO, PARADT_DELAUNAY_TREE, PARADT_FLIP, PARADT_AUTO};
     static living l;
     int flags, operations;
     memset(&l, 0, sizeof l);
@@ -393,12 +439,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     l.encoding = flags >> 2 & 3;
     l.weighted = flags >> 4 & 1;
     l.parameter = next_byte(&l.bytes);
-    l.flat = next_byte(&l.bytes) & 7;
+    l.flat = next_byte(&l.bytes);
+    l.method = methods[l.flat >> 3 & 3];
+    l.flat &= 7;
     if (create(&l, flags >> 5)) {
+        look(&l);
+        for (operations = l.dim > 3 ? MOST_OPERATIONS / 2 : MOST_OPERATIONS; l.bytes.left && operations > 0; operations--)
+            operate(&l, operations % COMPARED == 0);
         expect_same_result(&l);
         expect_sound_cells(&l);
-        for (operations = l.dim > 3 ? MOST_OPERATIONS / 2 : MOST_OPERATIONS; l.bytes.left && operations > 0; operations--)
-            operate(&l);
     }
     paradt_dynamic_free(l.set);
     if (l.blocks.held)

@@ -27,53 +27,78 @@ typedef struct few {
 
 // --- the signs by wide integers
 
-// The differences of p[1], ..., p[rows] from p[0]; with lifts the differences of |p|^2 - weight behind them
-static void differences(wide (*row)[WIDE_COLUMNS], int dim, const double *const *p, const double *weights, int rows,
-                        int lifts) {
-    static wide number, square, base;
-    int scale = 1000, lift, i, k;
-    for (i = 0; i <= rows; i++)
-        scale = wide_least_scale(p[i], (size_t)dim, scale);
-    lift = weights ? wide_least_scale(weights, (size_t)rows + 1, 2 * scale) : 2 * scale;
+// Sets row[i][k] to p[i + 1][k] - p[0][k], in units of 2^scale.
+static void differences(wide (*row)[WIDE_COLUMNS], int dim, const double *const *p, int rows, int scale) {
+    static wide start;
+    int i, k;
     for (i = 0; i < rows; i++)
         for (k = 0; k < dim; k++) {
             wide_of(&row[i][k], p[i + 1][k], scale);
-            wide_of(&number, p[0][k], scale);
-            wide_add(&row[i][k], &number, -1);
+            wide_of(&start, p[0][k], scale);
+            wide_add(&row[i][k], &start, -1);
         }
-    for (i = 0; i <= rows && lifts; i++) {
-        wide *sum = i ? &row[i - 1][dim] : &base;
-        sum->sign = sum->count = 0;
-        for (k = 0; k < dim; k++) {
-            static wide factor;
-            // x^2 2^-lift as (x 2^-scale) (x 2^(scale - lift))
-            wide_of(&number, p[i][k], scale);
-            wide_of(&factor, p[i][k], lift - scale);
-            wide_multiply(&square, &number, &factor);
-            wide_add(sum, &square, 1);
-        }
-        if (weights) {
-            wide_of(&number, weights[i], lift);
-            wide_add(sum, &number, -1);
-        }
+}
+
+// Sets *sum to |x|^2, in units of 2^lift. scale: units of the coordinates
+static void square_of_length(wide *sum, int dim, const double *x, int scale, int lift) {
+    static wide number, factor, square;
+    int k;
+    sum->sign = sum->count = 0;
+    for (k = 0; k < dim; k++) { // x^2 2^-lift is (x 2^-scale) (x 2^(scale - lift))
+        wide_of(&number, x[k], scale);
+        wide_of(&factor, x[k], lift - scale);
+        wide_multiply(&square, &number, &factor);
+        wide_add(sum, &square, 1);
     }
-    for (i = 0; i < rows && lifts; i++)
-        wide_add(&row[i][dim], &base, -1);
+}
+
+static int least_scale(int dim, const double *const *p, int points) {
+    int scale = 1000, i;
+    for (i = 0; i < points; i++)
+        scale = wide_least_scale(p[i], (size_t)dim, scale);
+    return scale;
 }
 
 static int exact_orient(int dim, const double *const *p) {
     static wide row[WIDE_COLUMNS][WIDE_COLUMNS], determinant;
-    differences(row, dim, p, NULL, dim, 0);
+    differences(row, dim, p, dim, least_scale(dim, p, dim + 1));
     wide_determinant(&determinant, row, dim);
     return determinant.sign;
 }
 
-// The lifted query is below the hyperplane of the cell, which is positively oriented, where this determinant is negative.
-static int exact_insphere(int dim, const double *const *p, const double *weights) {
-    static wide row[WIDE_COLUMNS][WIDE_COLUMNS], determinant;
-    differences(row, dim, p, weights, dim + 1, 1);
-    wide_determinant(&determinant, row, dim + 1);
-    return -determinant.sign;
+typedef struct signs {
+    int orient, insphere, power;
+} signs;
+
+// The lifted query is below the hyperplane of the cell, if this is positively oriented, where the determinant of differences and
+// lifts is negative. All signs are from the same minors of the differences.
+static signs exact_signs(int dim, const double *const *p, const double *weights) {
+    static wide row[WIDE_COLUMNS][WIDE_COLUMNS], minors[1 << (MOST_DIM + 1)], lifted, base, weight, product;
+    static wide round, power; // the determinants without and with weights
+    int scale = least_scale(dim, p, dim + 2), lift = wide_least_scale(weights, (size_t)dim + 2, 2 * scale), i;
+    signs s;
+    differences(row, dim, p, dim + 1, scale);
+    wide_minors(minors, row, dim + 1, dim);
+    square_of_length(&base, dim, p[0], scale, lift);
+    round.sign = round.count = power.sign = power.count = 0;
+    for (i = 0; i <= dim; i++) {
+        const wide *minor = &minors[((1u << (dim + 1)) - 1) & ~(1u << i)];
+        int sign = (dim - i) % 2 ? -1 : 1;
+        square_of_length(&lifted, dim, p[i + 1], scale, lift);
+        wide_add(&lifted, &base, -1);
+        wide_multiply(&product, &lifted, minor);
+        wide_add(&round, &product, sign);
+        wide_of(&weight, weights[i + 1], lift);
+        wide_add(&lifted, &weight, -1);
+        wide_of(&weight, weights[0], lift);
+        wide_add(&lifted, &weight, 1);
+        wide_multiply(&product, &lifted, minor);
+        wide_add(&power, &product, sign);
+    }
+    s.orient = minors[(1u << dim) - 1].sign;
+    s.insphere = -round.sign;
+    s.power = -power.sign;
+    return s;
 }
 
 // Is a larger than b in lexicographic order?
@@ -84,10 +109,10 @@ static int is_larger(const double *a, const double *b, int dim) {
     return k < dim && a[k] > b[k];
 }
 
-// The rule that the manual states under DEGENERATE INPUT: 1 in conflict, -1 not
-static int exact_perturbed(int dim, const double *const *p, const double *weights) {
+// The rule that the manual states under DEGENERATE INPUT: 1 in conflict, -1 not. sign: without perturbation
+static int exact_perturbed(int dim, const double *const *p, int sign) {
     const double *other[MOST_POINTS];
-    int sign = exact_insphere(dim, p, weights), done = 0, i, largest;
+    int done = 0, i, largest;
     while (!sign) {
         for (i = 0, largest = -1; i < dim + 2; i++)
             if (!(done >> i & 1) && (largest < 0 || is_larger(p[i], p[largest], dim)))
@@ -139,13 +164,12 @@ static void expect_few_dimensions(const few *f, const double *const *p, int orie
     }
 }
 
-// All predicates of the points in this order have to have these signs.
-static void expect_signs(const few *f, const double *const *p, const double *w, int orient, int insphere, int power,
-                         const char *what) {
-    expect_sign(paradt_orient(f->dim, p), orient, what);
-    expect_sign(paradt_insphere(f->dim, p, NULL), insphere, what);
-    expect_sign(paradt_insphere(f->dim, p, w), power, what);
-    expect_few_dimensions(f, p, orient, insphere);
+// All predicates of the points in this order have to have these signs, times `sign`.
+static void expect_signs(const few *f, const double *const *p, const double *w, signs s, int sign, const char *what) {
+    expect_sign(paradt_orient(f->dim, p), sign * s.orient, what);
+    expect_sign(paradt_insphere(f->dim, p, NULL), sign * s.insphere, what);
+    expect_sign(paradt_insphere(f->dim, p, w), sign * s.power, what);
+    expect_few_dimensions(f, p, sign * s.orient, sign * s.insphere);
 }
 
 static void exchange(few *f, int i, int j) {
@@ -165,14 +189,15 @@ static int query_is_a_vertex(const few *f) {
     return i <= f->dim;
 }
 
-static void expect_perturbed(few *f, int orient) {
-    if (!orient || query_is_a_vertex(f))
+static void expect_perturbed(few *f, signs s) {
+    if (!s.orient || query_is_a_vertex(f))
         return;
-    if (orient < 0)
+    if (s.orient < 0)
         exchange(f, 0, 1);
-    expect_sign(paradt_insphere_perturbed(f->dim, f->p, NULL), exact_perturbed(f->dim, f->p, NULL), "perturbed");
-    expect_sign(paradt_insphere_perturbed(f->dim, f->p, f->w), exact_perturbed(f->dim, f->p, f->w), "perturbed, weights");
-    if (orient < 0)
+    expect_sign(paradt_insphere_perturbed(f->dim, f->p, NULL), exact_perturbed(f->dim, f->p, s.orient * s.insphere), "perturbed");
+    expect_sign(paradt_insphere_perturbed(f->dim, f->p, f->w), exact_perturbed(f->dim, f->p, s.orient * s.power),
+                "perturbed, weights");
+    if (s.orient < 0)
         exchange(f, 0, 1);
 }
 
@@ -224,7 +249,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     source b = {data, size};
     few f;
     int flags = next_byte(&b), parameter = next_byte(&b), swap = next_byte(&b), extras = next_byte(&b), i, k;
-    int encoding = flags >> 3 & 3, orient, insphere, power, first, second;
+    int encoding = flags >> 3 & 3, first, second;
+    signs exact;
     f.dim = 2 + (flags & 7) % (MOST_DIM - 1);
     if (f.dim > 4 && encoding >= SCALED) // numbers of thousands of bits take too long there
         encoding -= SCALED;
@@ -237,26 +263,24 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         f.p[i] = f.x[i];
     }
     degenerate(&f, extras >> 1 & 3, extras >> 3);
-    orient = exact_orient(f.dim, f.p);
-    insphere = exact_insphere(f.dim, f.p, NULL);
-    power = exact_insphere(f.dim, f.p, f.w);
+    exact = exact_signs(f.dim, f.p, f.w);
 
     fesetround(modes[flags >> 6]);
-    expect_signs(&f, f.p, f.w, orient, insphere, power, "as decoded");
-    expect_perturbed(&f, orient);
+    expect_signs(&f, f.p, f.w, exact, 1, "as decoded");
+    expect_perturbed(&f, exact);
     first = (swap & 15) % (f.dim + 1);
     second = (swap >> 4) % (f.dim + 1);
     if (first != second) {
         exchange(&f, first, second);
-        expect_signs(&f, f.p, f.w, -orient, -insphere, -power, "two vertices exchanged");
+        expect_signs(&f, f.p, f.w, exact, -1, "two vertices exchanged");
         exchange(&f, first, second);
     }
     exchange(&f, first, f.dim + 1); // the orientation is that of other points then
-    expect_sign(paradt_insphere(f.dim, f.p, NULL), -insphere, "query and vertex exchanged");
-    expect_sign(paradt_insphere(f.dim, f.p, f.w), -power, "query and vertex exchanged, weights");
+    expect_sign(paradt_insphere(f.dim, f.p, NULL), -exact.insphere, "query and vertex exchanged");
+    expect_sign(paradt_insphere(f.dim, f.p, f.w), -exact.power, "query and vertex exchanged, weights");
     exchange(&f, first, f.dim + 1);
     if (extras & 1 && first != second && f.dim <= 5)
-        expect_measures(&f, orient, first, second);
+        expect_measures(&f, exact.orient, first, second);
     fesetround(FE_TONEAREST);
     return 0;
 }

@@ -90,13 +90,19 @@ typedef struct repeated {
     paradt_points points;
 } repeated;
 
-// Repeats points, each time moved by the difference of two of them.
-static void repeat(repeated *r, const decoded *in, int times) {
+// Repeats points, each time moved by the difference of two of them. In four dimensions diagrams cost more than anything else.
+static void repeat(repeated *r, const decoded *in, int times, int which) {
+    static const int most[MAX_DIM + 1] = {0, 0, MOST_REPEATED, MOST_REPEATED / 2, 40, 20};
     size_t dim = (size_t)in->points.dim, n = in->points.count, i, k;
+    size_t limit = (size_t)room(most, in->points.dim, in->choice, 0);
+    if (in->far_apart && limit > 2 * n)
+        limit = 2 * n;
+    if (which == VORONOI && dim > 3)
+        limit = 8;
     r->points = in->points;
     r->points.data = r->x;
     r->points.weights = in->points.weights ? r->w : NULL;
-    r->points.count = n * (size_t)times < MOST_REPEATED ? n * (size_t)times : MOST_REPEATED;
+    r->points.count = n * (size_t)times < limit ? n * (size_t)times : limit;
     for (i = 0; i < r->points.count; i++) {
         size_t round = i / n, from = round % n, to = (round * round + 1) % n;
         r->w[i] = in->w[i % n];
@@ -200,7 +206,7 @@ static void fit_options(paradt_options *options, int which, int bits) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static const int most_points[MAX_DIM + 1] = {0, 0, 64, 48, 16, 8};
+    static const int most_points[MAX_DIM + 1] = {0, 0, 64, 48, 16, 10};
     static repeated r;
     surroundings s;
     uint8_t rest[4] = {0, 255, 0, 255};
@@ -227,11 +233,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     which = in.spoil & 7;
     if (which == VORONOI && in.points.dim > 4) // volumes take too long there
         which = TRIANGULATE;
-    repeat(&r, &in, 1 + (in.spoil >> 3 & 7));
+    repeat(&r, &in, 1 + (in.spoil >> 3 & 7), which);
     if (which == HULL)
         r.points.weights = NULL;
     memset(&plain, 0, sizeof plain);
-    expect_ok(paradt_triangulate(&t, &r.points, NULL), "triangulation");
+    memset(&t, 0, sizeof t);
+    if (which == VORONOI || which == LOCATOR || which == CHECK)
+        expect_ok(paradt_triangulate(&t, &r.points, NULL), "triangulation");
     fit_options(&plain, which, rest[0]);
     expected = call(which, &t, &r.points, &plain);
     expect_ok(expected.status, "undivided");

@@ -7,6 +7,7 @@
 //     - a failing allocation has to be reported, and may not leak memory
 //     - after an element of a result is overwritten, paradt_check has to return, and may only certify the same cells
 // in->spoil is the number of the allocation that fails, and of the element that is overwritten; bits 0-1: how points move.
+// A fuzzer does with an input one of the methods in one of three ways, and one of what follows them.
 #include "fuzz.h"
 #include "wide.h"
 
@@ -281,15 +282,22 @@ static void expect_furthest_site(const decoded *in, const paradt_triangulation *
     paradt_free(&v);
 }
 
+static void expect_no_false_certificates(const decoded *in, const paradt_triangulation *t) {
+    size_t facets = t->cell_count * (size_t)(t->dim + 1);
+    expect_no_false_certificate(t, &in->points, 0, t->cells, facets, in->spoil);
+    expect_no_false_certificate(t, &in->points, 0, t->neighbors, facets, in->spoil);
+    expect_no_false_certificate(t, &in->points, 0, t->representative, t->point_count, in->spoil);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static const int most_points[MAX_DIM + 1] = {0, 0, 64, 40, 24, 16};
+    static const int most_points[MAX_DIM + 1] = {0, 0, 64, 40, 20, 12};
     source b = {data, size};
     decoded in;
     paradt_options options;
     paradt_triangulation t;
     paradt_status status;
     uint64_t hash;
-    int method;
+    int method, way;
     decode(&in, &b, most_points);
     memset(&options, 0, sizeof options);
     options.method = PARADT_INCODE;
@@ -305,24 +313,28 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     hash = paradt_hash(&t);
 
     for (method = 0; method < PARADT_METHOD_COUNT; method++) {
+        if (!asks(&in, method, PARADT_METHOD_COUNT))
+            continue;
         options.method = (paradt_method)method;
-        options.flags = PARADT_NO_NEIGHBORS;
-        options.regions = 1;
-        expect_hash(&in, &options, hash, paradt_method_string(options.method));
-        options.flags = 0;
-        options.regions = in.regions;
-        options.partition = in.partition;
-        expect_hash(&in, &options, hash, "regions");
-        options.flags = PARADT_FACETS;
-        expect_hash(&in, &options, hash, "facets");
+        for (way = 0; way < 3; way++) {
+            if (!ASKS_ALL && way != in.choice / PARADT_METHOD_COUNT % 3)
+                continue;
+            options.flags = way == 0 ? PARADT_NO_NEIGHBORS : way == 1 ? 0 : PARADT_FACETS;
+            options.regions = way == 0 ? 1 : in.regions;
+            options.partition = way == 0 ? PARADT_BISECTION : in.partition;
+            expect_hash(&in, &options, hash, paradt_method_string(options.method));
+        }
     }
-    expect_repair(&in, in.regions % 2 ? PARADT_FACETS : 0);
-    expect_same_reversed(&in, &t);
-    expect_clean_failure(&in, hash);
-    expect_furthest_site(&in, &t);
-    expect_no_false_certificate(&t, &in.points, 0, t.cells, t.cell_count * (size_t)(t.dim + 1), in.spoil);
-    expect_no_false_certificate(&t, &in.points, 0, t.neighbors, t.cell_count * (size_t)(t.dim + 1), in.spoil);
-    expect_no_false_certificate(&t, &in.points, 0, t.representative, t.point_count, in.spoil);
+    if (asks(&in, 0, 5))
+        expect_repair(&in, in.regions % 2 ? PARADT_FACETS : 0);
+    if (asks(&in, 1, 5))
+        expect_same_reversed(&in, &t);
+    if (asks(&in, 2, 5))
+        expect_clean_failure(&in, hash);
+    if (asks(&in, 3, 5))
+        expect_furthest_site(&in, &t);
+    if (asks(&in, 4, 5))
+        expect_no_false_certificates(&in, &t);
     paradt_free(&t);
     return 0;
 }

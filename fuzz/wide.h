@@ -152,23 +152,32 @@ static inline void wide_multiply(wide *out, const wide *a, const wide *b) {
     wide_trim(out);
 }
 
-// Sets out to the determinant of rows[n][n], from the minors of the first rows: of each set of columns, in a table.
-static inline void wide_determinant(wide *out, wide (*rows)[WIDE_COLUMNS], int n) {
-    static wide minors[1 << WIDE_COLUMNS], product;
+// Sets minors[set], for each set of at most `columns` rows, to the determinant of these rows' first elements, as many as there
+// are rows: along the last of the columns, from smaller sets.
+static inline void wide_minors(wide *minors, wide (*row)[WIDE_COLUMNS], int rows, int columns) {
+    static wide product;
     unsigned set;
     wide_small(&minors[0], 1);
-    for (set = 1; set < 1u << n; set++) {
-        int row = -1, sign = 1, c;
-        for (c = 0; c < n; c++)
-            row += (int)(set >> c & 1);
+    for (set = 1; set < 1u << rows; set++) {
+        int column = -1, sign = 1, r;
+        for (r = 0; r < rows; r++)
+            column += (int)(set >> r & 1);
+        if (column >= columns)
+            continue;
         minors[set].sign = minors[set].count = 0;
-        for (c = n - 1; c >= 0; c--) // along the last of the rows, from its last element on
-            if (set >> c & 1) {
-                wide_multiply(&product, &rows[row][c], &minors[set & ~(1u << c)]);
+        for (r = rows - 1; r >= 0; r--) // from the last element of the column on
+            if (set >> r & 1) {
+                wide_multiply(&product, &row[r][column], &minors[set & ~(1u << r)]);
                 wide_add(&minors[set], &product, sign);
                 sign = -sign;
             }
     }
+}
+
+// Sets out to the determinant of row[n][n].
+static inline void wide_determinant(wide *out, wide (*row)[WIDE_COLUMNS], int n) {
+    static wide minors[1 << WIDE_COLUMNS];
+    wide_minors(minors, row, n, n);
     out->sign = out->count = 0;
     wide_add(out, &minors[(1u << n) - 1], 1);
 }

@@ -1,5 +1,6 @@
 // Small random sets of every family, with and without weights, in 2 to 6 dimensions, through every method and beside it through
-// regions, repair, hulls, living sets and furthest sites: each result is certified, or compared with one that is.
+// regions, repair, hulls, living sets and furthest sites: each result is certified, or compared with one that is: cells, neighbours
+// and representatives alike.
 //
 // Usage: soak FIRST COUNT [SECONDS]. Goes through the sets number FIRST to FIRST + COUNT - 1, or as many as the time allows, so
 // that a long soak can be done in pieces, on several machines. Set i is of family i modulo their number; everything else about it
@@ -40,21 +41,54 @@ static void expect(const sample *s, uint64_t number, const char *what, paradt_st
         fails(s, number, what, "another result");
 }
 
-static void try_methods(const sample *s, uint64_t number, const paradt_points *points, uint64_t hash) {
-    for (int method = 0; method < PARADT_METHOD_COUNT; method++)
-        for (int divided = 0; divided < 2; divided++) {
-            paradt_options options = {0};
-            paradt_triangulation t;
-            options.method = (paradt_method)method;
-            options.regions = divided ? 2 + number % 7 : 1;
-            options.partition = number % 3 ? PARADT_BISECTION : PARADT_UNIFORM;
-            options.flags = divided && number % 2 ? PARADT_FACETS : 0;
-            paradt_status status = paradt_triangulate(&t, points, &options);
-            expect(s, number, paradt_method_string(options.method), status, paradt_hash(&t), hash);
-            if (!status && paradt_check(&t, points, &options, NULL))
-                fails(s, number, paradt_method_string(options.method), "not certified");
-            paradt_free(&t);
-        }
+static uint64_t mixed(uint64_t x) {
+    x = (x ^ x >> 31) * 0x9e3779b97f4a7c15u;
+    return x ^ x >> 29;
+}
+
+// A hash of all that a result says, whatever the order of its cells and of their vertices: the cells, who is whose neighbour across
+// which vertex, and representatives. 0: a neighbour is no cell, or a facet not its mirror's mirror. flags: those of the result
+static uint64_t signature(const paradt_triangulation *t, unsigned flags) {
+    size_t corners = (size_t)t->dim + 1, facets = t->neighbors ? t->cell_count * corners : 0, c, f, j;
+    uint64_t sum = (uint64_t)t->dim + 2, *hash = (uint64_t *)need(t->cell_count + 1, sizeof *hash);
+    for (c = 0; c < t->cell_count; c++) {
+        uint64_t vertices[PARADT_MAX_DIM + 1];
+        for (j = 0; j < corners; j++)
+            vertices[j] = (uint64_t)t->cells[c * corners + j];
+        hash[c] = paradt_hash_cell(vertices, (int)corners);
+        sum += hash[c];
+    }
+    for (f = 0; f < facets && sum; f++) {
+        paradt_index other = t->neighbors[f];
+        size_t place = (size_t)other;
+        int mirrors = (flags & PARADT_FACETS) != 0;
+        uint64_t side = mixed(hash[f / corners] + (uint64_t)t->cells[f]);
+        if (other < 0)
+            sum += other == -1 ? side : 1;
+        else if (place >= (mirrors ? facets : t->cell_count) || (mirrors && t->neighbors[place] != (paradt_index)f))
+            sum = 0;
+        else
+            sum += mixed(side + 3 * hash[mirrors ? place / corners : place]);
+    }
+    for (c = 0; c < t->point_count && sum; c++)
+        sum += mixed(c * 0x100000001b3u + (uint64_t)t->representative[c] + 5);
+    free(hash);
+    return sum;
+}
+
+// Each method undivided or in regions, which takes turns. expected: the signature of a certified result
+static void try_methods(const sample *s, uint64_t number, const paradt_points *points, uint64_t expected) {
+    for (int method = 0; method < PARADT_METHOD_COUNT; method++) {
+        paradt_options options = {0};
+        paradt_triangulation t;
+        options.method = (paradt_method)method;
+        options.regions = ((uint64_t)method + number) % 2 ? 2 + number % 7 : 1;
+        options.partition = number % 3 ? PARADT_BISECTION : PARADT_UNIFORM;
+        options.flags = number / 2 % 2 ? PARADT_FACETS : 0;
+        paradt_status status = paradt_triangulate(&t, points, &options);
+        expect(s, number, paradt_method_string(options.method), status, signature(&t, options.flags), expected);
+        paradt_free(&t);
+    }
 }
 
 // Half of the points move to where others of the family are.
@@ -101,17 +135,21 @@ static void try_hull(const sample *s, uint64_t number) {
     paradt_hull_free(&hull);
 }
 
-// Some points from the beginning, the others one by one; then some go and come back, which may give them other ids.
+// Some points from the beginning, the others one by one, a quarter of the sets by the Delaunay tree and a quarter by flips. In
+// others some go then and come back, which may give them other ids.
 static void try_living(const sample *s, uint64_t number, uint64_t hash) {
+    static const paradt_method methods[4] = {PARADT_AUTO, PARADT_DELAUNAY_TREE, PARADT_AUTO, PARADT_FLIP};
     paradt_points points = points_of(s);
+    paradt_options options = {0};
     paradt_dynamic *d;
     paradt_triangulation t;
     int first = s->count / 3;
+    options.method = methods[number % 4];
     points.count = (size_t)first;
-    paradt_status status = paradt_dynamic_create(&d, &points, NULL);
+    paradt_status status = paradt_dynamic_create(&d, &points, &options);
     for (int i = first; i < s->count && !status; i++)
         status = paradt_dynamic_insert(d, s->x + i * s->dim, s->w ? s->w[i] : 0, -1, NULL);
-    for (int i = (int)(number % 3); i < s->count && !status; i += 3) {
+    for (int i = (int)(number % 3); i < s->count && !status && options.method == PARADT_AUTO; i += 3) {
         paradt_index id;
         status = paradt_dynamic_remove(d, i);
         if (!status)
@@ -141,7 +179,7 @@ static void try_furthest(const sample *s, uint64_t number) {
 }
 
 static void try_set(uint64_t number) {
-    static const int most[] = {0, 0, 40, 30, 16, 12, 10}, most_extreme[] = {0, 0, 16, 12, 8, 8, 8};
+    static const int most[] = {0, 0, 40, 30, 16, 12, 10}, most_extreme[] = {0, 0, 16, 12, 7};
     uint64_t state = number * 0x9e3779b97f4a7c15u + 1;
     const family *f = &families[number % FAMILY_COUNT];
     const weighting *w = &weightings[random_below(&state, 2) ? 0 : random_below(&state, WEIGHTING_COUNT)];
@@ -156,14 +194,14 @@ static void try_set(uint64_t number) {
     paradt_fault fault = {0};
     options.method = PARADT_INCODE;
     paradt_status status = paradt_triangulate(&t, &points, &options);
-    uint64_t hash = paradt_hash(&t);
+    uint64_t hash = paradt_hash(&t), whole = status ? 0 : signature(&t, 0);
     results++;
     if (status)
         fails(&s, number, "triangulation", paradt_status_string(status));
     else if (paradt_check(&t, &points, NULL, &fault))
         fails(&s, number, "triangulation", fault.reason ? fault.reason : "not certified");
     paradt_free(&t);
-    try_methods(&s, number, &points, hash);
+    try_methods(&s, number, &points, whole);
     try_repair(&s, number, &other);
     try_hull(&s, number);
     try_living(&s, number, hash);
