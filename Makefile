@@ -73,9 +73,9 @@ NEEDS_CGAL   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]cgal\.h' $(
 NEEDS_VORO   := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"]voro\.h' $(C_TESTS)))
 NEEDS_GMP    := $(if $(C_TESTS),$(shell grep -lE '^ *# *include *[<"](gmp|oracle|verify|harness)\.h' $(C_TESTS)))
 # These run the whole library under the sanitizers. Left out are the comparisons with CGAL and Voro++, whose code is not to be
-# tested, a program that only compares the cells of thousands of triangulations, and one whose twin without vector code is there:
-# the others have the vector code. RACES have threads.
-SANITIZED    := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/definition.c tests/bounds.c,$(C_TESTS))
+# tested, a program that only compares the cells of thousands of triangulations, and two that compare numbers with their bounds.
+# tests/index16.c has the code without vectors. RACES have threads.
+SANITIZED    := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/definition.c tests/bounds.c tests/bounds_plain.c,$(C_TESTS))
 RACES        := tests/locator.c tests/methods_agree.c tests/lifted_hull.c tests/voronoi.c
 # `make check` runs these, and the shell tests in part where they know QUICK.
 QUICK_TESTS  := $(filter-out $(NEEDS_CGAL) $(NEEDS_VORO) tests/lifted_hull.c tests/optimality.c tests/resources.c,$(C_TESTS))
@@ -90,10 +90,7 @@ missing = $(strip $(if $(HAVE_CMOCKA),,libcmocka-dev) $(if $(filter $1,$(NEEDS_G
 ready   = $(foreach t,$1,$(if $(call missing,$t),,$t))
 program = $(patsubst tests/%.c,$(T)/%,$1)
 
-# Sanitized it does all that it does plainly.
-SANITIZED_ALONE := $(if $(HAVE_SANITIZERS),tests/index16.c)
-
-TEST_PROGRAMS := $(call program,$(call ready,$(if $(QUICK),$(QUICK_TESTS),$(filter-out $(SANITIZED_ALONE),$(C_TESTS)))))
+TEST_PROGRAMS := $(call program,$(call ready,$(if $(QUICK),$(QUICK_TESTS),$(C_TESTS))))
 ASAN_PROGRAMS := $(if $(HAVE_SANITIZERS),$(patsubst tests/%.c,$(T)/sanitized/%,$(call ready,$(if $(QUICK),$(QUICK_ASAN),$(SANITIZED)))))
 RACE_PROGRAMS := $(if $(QUICK),,$(if $(HAVE_THREAD_SANITIZER),$(patsubst tests/%.c,$(T)/races/%,$(call ready,$(RACES)))))
 FUZZ_PROGRAMS := $(FUZZERS:fuzz/%.c=$(T)/fuzz/%)
@@ -107,10 +104,9 @@ ASSERTS       := -include tests/asserts.h
 # The address sanitizer sees accesses by null pointers and beyond objects, too. Checks for these alone would take a fifth more time.
 SANITIZE      := -DPARADT_VERIFY -fsanitize=address,undefined -fno-sanitize=null,object-size -fno-sanitize-recover=all \
                  -fno-omit-frame-pointer
-# Tests of the library's internals are built with -O2 where they need the instructions that it joins, in vector code. The others run
-# for seconds, and compile in half of the time without.
-JOINED        := tests/bounds.c tests/insertion.c tests/predicates.c
-LEVEL          = $(if $(filter $(OPAQUE) $(JOINED),$<),-O2,-O1)
+# Tests of the library's internals compile in half of the time of -O2, and run for seconds. The second flag joins products and sums,
+# as -O2 does.
+LEVEL          = $(if $(filter $(OPAQUE),$<),-O2,-O1 -fexpensive-optimizations)
 
 # Warnings about the tools, also those of the optimizer, fail the tests.
 test-programs: ERRORS := -Werror
@@ -184,13 +180,14 @@ $(T)/families: tests/programs/families.c
 	@rm -f $@
 	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -lm
 
-# These take longest. They start first, so that no processor is left with one of them at the end.
-LONGEST := %/mpi.sh %/hostile_flags.sh %/methods_agree %/resources %/hull %/host
+# These take longest, the first ones most. They start first, so that no processor is left with one of them at the end.
+LONGEST := %/hostile_flags.sh %/mpi.sh %/header_builds.sh %/methods_agree %/resources %/definition %/voronoi %/equals_cgal %/link.sh \
+           %/locator %/hull %/host %/predicates_flags.sh %/waiting %/dynamic
 STARTED := $(if $(QUICK),$(QUICK_SHELL),$(SHELL_TESTS)) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(TEST_PROGRAMS)
 
 # Prints the runner's list: the programs in the order in which they start, then the skipped tests with their reasons.
 test-list:
-	@for t in $(filter $(LONGEST),$(STARTED)) $(filter-out $(LONGEST),$(STARTED)); do echo "$$t"; done
+	@for t in $(foreach l,$(LONGEST),$(filter $l,$(STARTED))) $(filter-out $(LONGEST),$(STARTED)); do echo "$$t"; done
 	@$(foreach t,$(if $(QUICK),$(QUICK_TESTS),$(C_TESTS)),$(if $(call missing,$t),echo "skip $(t:tests/%.c=%) needs $(call missing,$t)";)) :
 	@$(if $(QUICK)$(HAVE_THREAD_SANITIZER),,echo "skip races needs a compiler with -fsanitize=thread that runs here")
 	@$(if $(HAVE_SANITIZERS),,echo "skip sanitized needs a compiler with -fsanitize=address$(comma)undefined")

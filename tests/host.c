@@ -120,10 +120,10 @@ static void results_are_empty_after_every_error(void **state) {
 static void after_memory_the_result_says_how_much_was_needed(void **state) {
     const char *quick = getenv("QUICK");
 #if defined(__SANITIZE_ADDRESS__)
-    const size_t count = 5000;
+    const size_t count = 2500;
     (void)quick;
 #else
-    const size_t count = quick && *quick ? 5000 : 20000;
+    const size_t count = quick && *quick ? 5000 : 10000;
 #endif
     double *x = uniform(count, 3);
     paradt_points points = packed(x, count, 3);

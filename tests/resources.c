@@ -175,7 +175,7 @@ static int scene_of_walls(int number, scene *out) {
 }
 
 // Makes scene `number`; returns 0 when there is none. Families, weights, dimensions, methods and regions are chosen so that all
-// code that allocates runs. A sanitized program gets every third scene: these have all inputs, ways and methods, but not in
+// code that allocates runs. A sanitized program gets every fourth scene: these have all inputs, ways and methods, but not in
 // all combinations.
 static int next_scene(int number, scene *out) {
     static const struct {
@@ -194,7 +194,7 @@ static int next_scene(int number, scene *out) {
                 {4, PARADT_UNIFORM, 0, 0},
                 {3, PARADT_BISECTION, 1, 0}};
     enum { INPUTS = sizeof inputs / sizeof inputs[0], WAYS = sizeof ways / sizeof ways[0] };
-    int each = SANITIZED ? 3 * number : number;
+    int each = SANITIZED ? 4 * number : number;
     int input = each % INPUTS, way = each / INPUTS % WAYS, method = each / INPUTS / WAYS;
     memset(out, 0, sizeof *out);
     if (method >= PARADT_METHOD_COUNT)
@@ -393,7 +393,7 @@ static void every_progress_call_can_cancel(void **state) {
             options.regions = way < 4 ? 0 : 3;
             options.parallel_for = way == 7 ? run_on_threads : NULL;
             options.progress = note_progress;
-            for (size_t k = 0; k == 0 || k <= calls; k += 1 + calls / 60) {
+            for (size_t k = 0; k == 0 || k <= calls; k += 1 + calls / (SANITIZED ? 15 : 60)) {
                 reports r = reports_open(k);
                 books b = books_open();
                 keep_books(&options, &b);
