@@ -108,7 +108,7 @@ SANITIZE      := -DPARADT_VERIFY -fsanitize=address,undefined -fno-sanitize=null
 # as -O2 does.
 LEVEL          = $(if $(filter $(OPAQUE),$<),-O2,-O1 -fexpensive-optimizations)
 
-# Warnings about the tools, also those of the optimizer, fail the tests.
+# Warnings about the tools and the library that the tests share, also those of the optimizer, fail the tests.
 test-programs: ERRORS := -Werror
 test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAMS) \
     $(if $(QUICK),,$(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS)))
@@ -123,7 +123,7 @@ $(patsubst tests/%.c,$(T)/sanitized/%,$(LINKED)): $(T)/sanitized/paradt.o
 $(patsubst tests/%.c,$(T)/sanitized/%,$(WATCHING)): $(T)/sanitized/paradt_watched.o
 $(patsubst tests/%.c,$(T)/races/%,$(LINKED)): $(T)/races/paradt.o
 
-$(T)/paradt.o: MANNER = -O2
+$(T)/paradt.o: MANNER = -O2 $(ERRORS)
 $(T)/sanitized/paradt.o: MANNER = -Og $(SANITIZE)
 $(T)/races/paradt.o: MANNER = -O1 -fsanitize=thread
 %/paradt.o: paradt.h tests/asserts.h
