@@ -3,14 +3,17 @@
 # and the program built gives the same result everywhere. Prints TAP.
 #
 # Front ends give most warnings, so most builds are not optimised, which takes a fifth of the time. GCC's optimizer warns too:
-# about C++ here, and about C when make builds the tools and the library that the tests share. Settings that have nothing to do with each other share a build. tests/hostile_flags.sh compares the results of other
-# optimised builds. With QUICK=1 each compiler makes only its first two builds.
+# about C++ here, and about C when make builds the tools and the library that the tests share. Settings that have nothing to do
+# with each other share a build. tests/hostile_flags.sh compares the results of other optimised builds. With QUICK=1 each
+# compiler makes only its first two builds.
 work=build/tests/header
 rm -rf "$work"
 mkdir -p "$work"
 smallest=tests/programs/smallest.c
 common="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I."
 c="$common -Wstrict-prototypes -x c"
+insertion_alone="-DPARADT_NO_FRONTS -DPARADT_NO_REGIONS -DPARADT_NO_TREE -DPARADT_NO_FLIPS -DPARADT_NO_HULLS \
+    -DPARADT_NO_MEASURES -DPARADT_NO_LOCATOR -DPARADT_NO_DYNAMIC -DPARADT_NO_VORONOI -DPARADT_MAX_DIM=3"
 . tests/programs/tap.sh
 runner= # the command that runs programs for another processor
 
@@ -45,9 +48,7 @@ for family in gcc clang; do
     # Words that <windows.h> defines as macros
     builds "${family}_c11_assertions_windows_words" "$family -std=c11 -DPARADT_VERIFY -include tests/asserts.h -Dnear= -Dfar= \
         -Dsmall=char -Dinterface=struct -DIN= -DOUT= $c $smallest -o $work/${family}_c11_assertions_windows_words -lm"
-    builds "${family}_insertion_alone" "$family -std=c99 -DPARADT_NO_FRONTS -DPARADT_NO_REGIONS -DPARADT_NO_TREE -DPARADT_NO_FLIPS \
-        -DPARADT_NO_HULLS -DPARADT_NO_MEASURES -DPARADT_NO_LOCATOR -DPARADT_NO_DYNAMIC -DPARADT_NO_VORONOI -DPARADT_MAX_DIM=3 \
-        $c $smallest -o $work/${family}_insertion_alone -lm"
+    builds "${family}_insertion_alone" "$family -std=c99 $insertion_alone $c $smallest -o $work/${family}_insertion_alone -lm"
     builds "${family}_no_simd_no_hulls" "$family -std=c99 -DPARADT_NO_SIMD -DPARADT_NO_HULLS $c $smallest \
         -o $work/${family}_no_simd_no_hulls -lm"
     builds "${family}_index64_cxx" \
@@ -61,7 +62,7 @@ for family in gcc clang; do
         $cxx $work/${family}_2.o $work/${family}_3.o -o $work/${family}_cxx_calls_c -lm"
     builds "${family}_static_in_two_files" "
         $family -std=c99 $c -DPARADT_STATIC -DCALL_SECOND_FILE -c $smallest -o $work/${family}_5.o &&
-        $family -std=c99 $c -DPARADT_STATIC -DSECOND_FILE -c $smallest -o $work/${family}_6.o &&
+        $family -std=c99 $c -DPARADT_STATIC $insertion_alone -DSECOND_FILE -c $smallest -o $work/${family}_6.o &&
         $family $work/${family}_5.o $work/${family}_6.o -o $work/${family}_static_in_two_files -lm"
     builds "${family}_static_cxx_no_regions" \
         "$cxx -std=c++11 -DPARADT_STATIC -DPARADT_NO_REGIONS $common -x c++ $smallest -o $work/${family}_static_cxx_no_regions -lm"
