@@ -78,7 +78,7 @@ for family in gcc clang; do
             -x none build/tests/sanitized/paradt.o -o $work/gcc_undefined_behaviour -lm"
     elif echo 'int main(void) { return 0; }' | $family -fsanitize=undefined -x c - -o "$work/probe" 2>/dev/null; then
         builds "${family}_undefined_behaviour" "$family -std=c99 -fsanitize=undefined \
-            -fno-sanitize-recover=all $c $smallest -o $work/${family}_undefined_behaviour -lm"
+            -fno-sanitize-recover=all $insertion_alone $c $smallest -o $work/${family}_undefined_behaviour -lm"
     else
         skip "${family}_undefined_behaviour" "$family has no -fsanitize=undefined here"
     fi

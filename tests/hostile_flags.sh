@@ -16,9 +16,8 @@ x86_64 | i?86) sse="ftz up+ftz" x87="single double double+down" ;;
 esac
 both gcc_native_fast_math "up zero $sse" "up $sse" gcc -O1 -fexpensive-optimizations -march=native -ffast-math -ffp-contract=fast
 both gcc_x87 "up $x87" "$x87" gcc -O1 -m32 -mfpmath=387 -mno-sse
-same gcc_O0 "up" gcc -O0
-same gcc_no_simd "" gcc -O1 -DPARADT_NO_SIMD -Wall -Wextra -Werror
-same gcc_index64 "" gcc -O1 -DPARADT_INDEX64
+same gcc_O0_no_simd "up" gcc -O0 -DPARADT_NO_SIMD -Wall -Wextra -Werror
+same clang_O0_index64 "" clang -O0 -DPARADT_INDEX64
 same gcc_O2_fast_math "up $sse" gcc -O2 -ffast-math
 same gcc_m32_sse "$sse" gcc -O1 -m32 -msse2 -mfpmath=sse
 same clang_O2 "down" clang -O2 -Wall -Wextra -Werror

@@ -117,6 +117,8 @@ static void methods_and_regions_agree(void **state) {
             int extremes = families[f].extremes || weightings[w].extremes;
             if ((extremes && dim > (is_quick() ? 3 : 5)) || (SANITIZED && turn != (f + dim) % 2))
                 continue;
+            if (dim > 5 && (f + dim) % 3) // a family has one of the highest dimensions
+                continue;
             reference r = reference_make(f, w, dim, extremes ? few_points_in[dim] : points_in[dim]);
             for (int method = 0; method < PARADT_METHOD_COUNT; method++) {
                 paradt_options options = {0};

@@ -32,13 +32,13 @@ printf '#define PARADT_STATIC\n' | cat - "$work/header.c" >"$work/static.c"
 warnings="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I."
 # Programs that do not call these parts do not compile them, and those that run for seconds are hardly optimised.
 less="-DPARADT_NO_LOCATOR -DPARADT_NO_DYNAMIC -DPARADT_NO_VORONOI"
-mpicc -std=c99 $warnings -Wstrict-prototypes -fno-pic -Dmain=other -c -o "$work/header.o" "$work/header.c" 2>"$work/log"
+mpicc -std=c99 $warnings $less -Wstrict-prototypes -fno-pic -Dmain=other -c -o "$work/header.o" "$work/header.c" 2>"$work/log"
 report $? header_builds_as_c99 "$work/log"
-mpicxx -std=c++11 $warnings -DOMPI_SKIP_MPICXX -o "$work/header" "$work/header.cc" -lm 2>"$work/log"
+mpicxx -std=c++11 $warnings $less -DOMPI_SKIP_MPICXX -o "$work/header" "$work/header.cc" -lm 2>"$work/log"
 report $? header_builds_as_cxx11 "$work/log"
-mpicc -std=c99 $warnings -DPARADT_INDEX64 -o "$work/header" "$work/header.c" -lm 2>"$work/log"
+mpicc -std=c99 $warnings $less -DPARADT_INDEX64 -o "$work/header" "$work/header.c" -lm 2>"$work/log"
 report $? header_builds_with_64_bit_indices "$work/log"
-mpicc -std=c99 $warnings -o "$work/static" "$work/static.c" -lm 2>"$work/log"
+mpicc -std=c99 $warnings $less -o "$work/static" "$work/static.c" -lm 2>"$work/log"
 report $? header_builds_static "$work/log"
 mpicc -std=c99 $warnings -c -o "$work/user.o" "$work/user.c" 2>"$work/log" &&
     mpicc -no-pie -o "$work/user" "$work/user.o" "$work/header.o" -lm 2>>"$work/log"
@@ -238,7 +238,7 @@ report $? rank_0_shows_progress_that_never_goes_back "$work/log"
 
 # --- the benchmark's MPI, which runs all ranks in one process
 
-$CC -O1 $less -Wall -Wextra -Wshadow -Werror -Itests/bench/alone -I. -o "$work/study" tests/bench/study.c -pthread -lm \
+$CC $less -Wall -Wextra -Wshadow -Werror -Itests/bench/alone -I. -o "$work/study" tests/bench/study.c -pthread -lm \
     2>"$work/log" && timeout 200 "$work/study" 1 gen:clusters:20000:1 1 2 7 100 >>"$work/log" 2>&1
 report $? a_hundred_ranks_one_at_a_time_have_the_cells_of_one "$work/log"
 $CC -O1 $less -Wall -Wextra -Wshadow -Wno-unused-function -Werror -Itests/bench/alone -I. -o "$work/ranks" \

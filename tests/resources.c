@@ -175,8 +175,8 @@ static int scene_of_walls(int number, scene *out) {
 }
 
 // Makes scene `number`; returns 0 when there is none. Families, weights, dimensions, methods and regions are chosen so that all
-// code that allocates runs. A sanitized program gets every fourth scene: these have all inputs, ways and methods, but not in
-// all combinations.
+// code that allocates runs. Every second one is made, or every fourth by a sanitized program: these have all inputs, ways and
+// methods, but not in all combinations.
 static int next_scene(int number, scene *out) {
     static const struct {
         int family, weighting, dim, count;
@@ -194,7 +194,7 @@ static int next_scene(int number, scene *out) {
                 {4, PARADT_UNIFORM, 0, 0},
                 {3, PARADT_BISECTION, 1, 0}};
     enum { INPUTS = sizeof inputs / sizeof inputs[0], WAYS = sizeof ways / sizeof ways[0] };
-    int each = SANITIZED ? 4 * number : number;
+    int each = (SANITIZED ? 4 : 2) * number;
     int input = each % INPUTS, way = each / INPUTS % WAYS, method = each / INPUTS / WAYS;
     memset(out, 0, sizeof *out);
     if (method >= PARADT_METHOD_COUNT)
