@@ -79,7 +79,7 @@ static void large_sets_equal_cgals(void **state) {
     for (size_t i = 0; i < sizeof chosen / sizeof chosen[0]; i++)
         for (int w = 0; w < 2; w++) {
             int f = family_named(chosen[i]);
-            sample s = family_make(&families[f], &weightings[w], 3, 20000, 5);
+            sample s = family_make(&families[f], &weightings[w], 3, 12000, 5);
             expect_cgals_cells(&s, (int)(i + (size_t)w) % PARADT_METHOD_COUNT, 0);
             if (w == 0) expect_cgals_cells(&s, PARADT_BOWYER_WATSON, 0);
             sample_free(&s);

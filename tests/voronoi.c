@@ -840,7 +840,7 @@ static void many_cells_fill_the_box(void **state) {
     static const char *const chosen[] = {"uniform", "clusters", "lattice", "fcc", "sphere", "duplicates", "lattice off by ulps"};
     for (int dim = 2; dim <= 3; dim++)
         for (size_t c = 0; c < sizeof chosen / sizeof *chosen; c++) {
-            sample s = family_make(&families[family_named(chosen[c])], NULL, dim, SANITIZED || is_quick() ? 2000 : 9000, 5);
+            sample s = family_make(&families[family_named(chosen[c])], NULL, dim, SANITIZED || is_quick() ? 2000 : 6000, 5);
             double low = HUGE_VAL, high = -HUGE_VAL, box[6], whole = 1;
             const char *wrong;
             for (int i = 0; i < s.count * dim; i++) {
