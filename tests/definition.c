@@ -65,16 +65,16 @@ static void equals_the_definition(void **state) {
             int extremes = families[f].extremes || weightings[w].extremes;
             if (extremes && ((dim > 5 && w != 2 * (dim % 3)) || (is_quick() && dim > 3)))
                 continue;
+            if (dim > 5 && (row / FAMILY_COUNT + f + w + dim) % 3) // some methods in each of the highest dimensions
+                continue;
             const answer *a = answer_to(f, w, dim);
             paradt_options options = {0};
             options.method = (paradt_method)(row / FAMILY_COUNT);
             expect_answer(a, &options);
             expect_answer_shuffled(a, &options);
-            for (int partition = 0; partition < 2; partition++) {
-                options.regions = (size_t)(2 + (f + w + dim) % 8);
-                options.partition = (paradt_partition)partition;
-                expect_answer(a, &options);
-            }
+            options.regions = (size_t)(2 + (f + w + dim) % 8);
+            options.partition = (paradt_partition)((f + w + dim / 2 + options.method) % 2);
+            expect_answer(a, &options);
         }
 }
 

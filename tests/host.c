@@ -120,10 +120,10 @@ static void results_are_empty_after_every_error(void **state) {
 static void after_memory_the_result_says_how_much_was_needed(void **state) {
     const char *quick = getenv("QUICK");
 #if defined(__SANITIZE_ADDRESS__)
-    const size_t count = 5000;
+    const size_t count = 2500;
     (void)quick;
 #else
-    const size_t count = quick && *quick ? 5000 : 20000;
+    const size_t count = quick && *quick ? 5000 : 10000;
 #endif
     double *x = uniform(count, 3);
     paradt_points points = packed(x, count, 3);
@@ -606,6 +606,11 @@ static watch begin_watch(paradt_options *options) {
 
 // The fraction is that of the whole call, into however many parts the work is divided.
 static void progress_is_one_fraction_that_never_falls(void **state) {
+#if defined(__SANITIZE_ADDRESS__)
+    enum { PART = 3 };
+#else
+    enum { PART = 1 };
+#endif
     static const struct {
         int dim, method;
         size_t count, regions;
@@ -619,11 +624,12 @@ static void progress_is_one_fraction_that_never_falls(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++)
         for (int lattice = 0; lattice < 2; lattice++) {
-            double *x = uniform(ways[i].count, ways[i].dim);
-            paradt_points points = packed(x, ways[i].count, ways[i].dim);
+            size_t count = ways[i].count / PART;
+            double *x = uniform(count, ways[i].dim);
+            paradt_points points = packed(x, count, ways[i].dim);
             paradt_options options = {0};
             paradt_triangulation t;
-            for (size_t j = 0; lattice && j < ways[i].count * (size_t)ways[i].dim; j++)
+            for (size_t j = 0; lattice && j < count * (size_t)ways[i].dim; j++)
                 x[j] = (double)(int)(x[j] * 16); // a lattice, on which some methods give up
             options.method = (paradt_method)ways[i].method;
             options.regions = ways[i].regions;

@@ -292,7 +292,9 @@ static void hulls_are_the_boundaries_of_triangulations(void **state) {
     static const int counts[] = {0, 0, 40, 36, 24, 16, 12, 11, 11};
     for (int dim = 2; dim <= (SANITIZED || is_quick() ? 5 : 8); dim++)
         for (int f = 0; f < FAMILY_COUNT; f++)
-            for (uint64_t seed = 1; seed <= (SANITIZED || is_quick() || dim > 3 ? 1 : 3); seed++) {
+            for (uint64_t seed = 1; seed <= (SANITIZED || is_quick() || dim > 3 ? 1 : 2); seed++) {
+                if ((SANITIZED && (f + dim) % 2) || (dim > 5 && (f + dim) % 3)) // a family has one of the highest dimensions
+                    continue;
                 sample s = family_make(&families[f], NULL, dim, counts[dim] * (int)seed, seed);
                 paradt_options facets = {0};
                 facets.method = PARADT_BOWYER_WATSON;

@@ -2,6 +2,9 @@
 // that there are at most 16,383 points, and cells * (dim + 1) is below 32,768. Where a result is larger, each method says so; up to
 // there each is right.
 #define PARADT__INDEX16
+#if defined(__SANITIZE_ADDRESS__)
+#define PARADT_NO_SIMD // other sanitized programs have the code for vectors
+#endif
 #define PARADT_IMPLEMENTATION
 #include "paradt.h"
 

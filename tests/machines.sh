@@ -4,7 +4,7 @@
 # sums. Installs what it needs as the tests do. Not one of the tests, as emulated processors are slow: `make machines` runs it.
 # The compiler for them is clang: Debian's gcc for other processors takes gcc-multilib away.
 # The header is also read by cppcheck and gcc's analyser; what they may report is in tests/programs/analysers.txt, with the reasons.
-# Valgrind's memcheck runs a seventh of the first program (see tests/programs/valgrind.supp).
+# Valgrind's memcheck runs an eleventh of the first program (see tests/programs/valgrind.supp).
 # Usage: machines.sh [GROUP...]   GROUP: processors, manners, analysers; without one, all. Prints TAP.
 work=build/tests/machines
 . tests/programs/tap.sh
@@ -18,7 +18,7 @@ groups=${*:-processors manners analysers}
 begin "" ""
 seconds=1800
 
-# on RUNNER LINES NAME COMPILER FLAGS...: both programs with all of their lines, or with LINES "few" a seventh of the first one's.
+# on RUNNER LINES NAME COMPILER FLAGS...: both programs with all of their lines, or with LINES "few" an eleventh of the first one's.
 on() {
     runner=$1 lines=$2 named=$3
     shift 3

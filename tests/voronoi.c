@@ -766,12 +766,12 @@ enum { EVERYTHING = 63 };
 
 static void cells_in_the_plane_are_those_of_the_definition(void **state) {
     (void)state;
-    compare_families(2, 12, EVERYTHING, NULL, is_quick() || SANITIZED ? 1 : 3, SANITIZED ? 2 : 1);
+    compare_families(2, 12, EVERYTHING, NULL, is_quick() || SANITIZED ? 1 : 2, SANITIZED ? 2 : 1);
 }
 
 static void cells_in_space_are_those_of_the_definition(void **state) {
     (void)state;
-    compare_families(3, 14, EVERYTHING, NULL, is_quick() || SANITIZED ? 1 : 2, SANITIZED ? 2 : 1);
+    compare_families(3, 14, EVERYTHING, NULL, 1, SANITIZED ? 2 : 1);
 }
 
 static void power_diagrams_are_those_of_the_definition(void **state) {
@@ -840,7 +840,7 @@ static void many_cells_fill_the_box(void **state) {
     static const char *const chosen[] = {"uniform", "clusters", "lattice", "fcc", "sphere", "duplicates", "lattice off by ulps"};
     for (int dim = 2; dim <= 3; dim++)
         for (size_t c = 0; c < sizeof chosen / sizeof *chosen; c++) {
-            sample s = family_make(&families[family_named(chosen[c])], NULL, dim, SANITIZED || is_quick() ? 2000 : 9000, 5);
+            sample s = family_make(&families[family_named(chosen[c])], NULL, dim, SANITIZED || is_quick() ? 2000 : 6000, 5);
             double low = HUGE_VAL, high = -HUGE_VAL, box[6], whole = 1;
             const char *wrong;
             for (int i = 0; i < s.count * dim; i++) {
@@ -948,7 +948,7 @@ static void threads_give_the_same_bits(void **state) {
     for (int dim = 2; dim <= 4; dim++)
         for (size_t c = 0; c < 3; c++)
             for (unsigned outputs = dim < 4 ? EVERYTHING : 21u; outputs; outputs = outputs > 1 ? 1 : 0) {
-                sample s = family_make(&families[family_named(chosen[c])], NULL, dim, dim == 4 ? 2100 / (RACES_ONLY ? 10 : 4) : RACES_ONLY ? 3000 : 12000, 3);
+                sample s = family_make(&families[family_named(chosen[c])], NULL, dim, dim == 4 ? 2100 / (SANITIZED ? 10 : 4) : SANITIZED ? 3000 : 12000, 3);
                 paradt_options options = {0};
                 double box[] = {0.1, 0.1, 0.1, 0.1, 0.7, 0.8, 0.9, 0.9};
                 for (int j = 0; j < dim && dim < 4; j++)

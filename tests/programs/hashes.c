@@ -1,7 +1,7 @@
 // Prints, for every sample in a file, the hash of its triangulation by every method, and after its points have moved and it has been
 // repaired, and what the certificate says. The output must be the same when it is built with flags, or run in modes, that break careless floating-point code.
 // Usage: hashes FILE SHARE [MODE...]
-//   SHARE            -1: prints all lines; 0 to 6: every seventh line, beginning with this one
+//   SHARE            -1: prints all lines; 0 to 10: every eleventh line, beginning with this one
 //   MODE             see modes.h
 #ifndef HASHES_LINKED // else the implementation is in another object
 #define PARADT_IMPLEMENTATION
@@ -13,8 +13,8 @@
 
 #include "modes.h"
 
-// Seven has no common divisor with the number of lines of a sample, so every share has lines of all methods.
-enum { SHARES = 7 };
+// Eleven has no common divisor with the number of lines of a sample, so every share has lines of all methods.
+enum { SHARES = 11 };
 
 // Prints the end of a line, what came of a call, and frees the triangulation.
 static void print_result(paradt_triangulation *t, paradt_status status, const paradt_points *points,

@@ -2,7 +2,7 @@
 // points, and of Voronoi diagrams: what is decided, not the numbers. The output must be the same when it is built with flags, or
 // run in modes, that break careless floating-point code.
 // Usage: uses FILE SHARE [MODE...]
-//   SHARE            has no effect; the arguments are those of hashes.c
+//   SHARE            -1: prints all lines; 0 and more: every third line, beginning with this one modulo three
 //   MODE             see modes.h
 #ifndef USES_LINKED // else the implementation is in another object
 #define PARADT_IMPLEMENTATION
@@ -14,7 +14,7 @@
 
 #include "modes.h"
 
-enum { MOST_POINTS = 160, MOST_DIM = 3 };
+enum { MOST_POINTS = 160, MOST_DIM = 3, SHARES = 3 };
 
 static void print_number(const char *what, paradt_status status, uint64_t hash) {
     printf("%s %s %08lx%08lx", what, paradt_status_string(status), (unsigned long)(hash >> 32),
@@ -144,7 +144,7 @@ static void print_voronoi(const paradt_triangulation *t, const paradt_points *po
 int main(int argc, char **argv) {
     int32_t head[4];
     FILE *file = argc > 1 ? fopen(argv[1], "rb") : NULL;
-    int i;
+    int share = argc > 2 ? atoi(argv[2]) : -1, line = 0, i;
     if (!file || argc < 3) {
         fprintf(stderr, "usage: uses FILE SHARE [MODE...]\n");
         return 2;
@@ -157,7 +157,8 @@ int main(int argc, char **argv) {
         size_t count = (size_t)head[1];
         void *data = get(file, count * (size_t)head[0], head[3] ? sizeof(float) : sizeof(double));
         double *weights = head[2] ? (double *)get(file, count, sizeof(double)) : NULL;
-        if (!head[3] && head[0] <= MOST_DIM && count > 8) {
+        int is_small = !head[3] && head[0] <= MOST_DIM && count > 8;
+        if (is_small && (share < 0 || line % SHARES == share % SHARES)) {
             const double *x = (const double *)data;
             size_t most = count < MOST_POINTS ? count : (size_t)MOST_POINTS;
             paradt_points points = paradt_points_f64(x, most, head[0]);
@@ -176,6 +177,7 @@ int main(int argc, char **argv) {
             printf("\n");
             paradt_free(&t);
         }
+        line += is_small;
         free(weights);
         free(data);
         free(name);
