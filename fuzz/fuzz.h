@@ -252,15 +252,11 @@ static inline int has_failed(const account *b) {
 #ifdef PARADT_FUZZ_STANDALONE
 #include <signal.h>
 
-// The input that is run, for a report: a file, or the number of random bytes
-static const char *running_file;
+// The number of the random bytes that are run, for a report
 static unsigned long long running_number;
 
 static void report(int number) {
-    if (running_file)
-        fprintf(stderr, "in %s\n", running_file);
-    else
-        fprintf(stderr, "in random bytes %llu\n", running_number);
+    fprintf(stderr, "in random bytes %llu\n", running_number);
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -295,17 +291,15 @@ static void run_copy(const uint8_t *data, size_t size) {
 }
 
 // Usage: FILE... runs files. --random FIRST COUNT runs random bytes number FIRST to FIRST + COUNT - 1; --write NUMBER FILE
-// writes those of a number.
+// writes those of a number. With sanitizers ASAN_OPTIONS and UBSAN_OPTIONS have to be abort_on_error=1 for the number to be named.
 int main(int argc, char **argv) {
     static uint8_t data[1 << 20];
     size_t size;
     FILE *file;
     int i;
-    signal(SIGABRT, report);
-    signal(SIGSEGV, report);
-    signal(SIGFPE, report);
     if (argc == 4 && !strcmp(argv[1], "--random")) {
         unsigned long long first = strtoull(argv[2], NULL, 10), count = strtoull(argv[3], NULL, 10);
+        signal(SIGABRT, report);
         for (running_number = first; running_number < first + count; running_number++)
             run_copy(data, random_bytes(data, running_number));
         return 0;
@@ -323,7 +317,7 @@ int main(int argc, char **argv) {
         }
         size = fread(data, 1, sizeof data, file);
         fclose(file);
-        running_file = argv[i];
+        fprintf(stderr, "%s\n", argv[i]);
         run_copy(data, size);
     }
     return 0;

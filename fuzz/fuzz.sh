@@ -56,6 +56,8 @@ by_afl() { # harness, manner, number of the instance, seconds
     mkdir -p $found
     # the sanitized one begins with what the other one has found
     test $2 = sanitized && set -- "$@" $root/found/plain/$1/*/queue && test -d "$5" && first=$5
+    test $3 = 1 && find $first -maxdepth 1 -type f | xargs -n 100 sh "$0" --replay $2 $1
+    test $2 = sanitized && export AFL_NO_STARTUP_CALIBRATION=1 # of thousands of inputs
     own=$found/$3/fuzzer_stats
     before=$(sed -n 's/^execs_done *: *//p' $own 2>/dev/null)
     afl-fuzz -V $4 -t 5000 -m none -i $first -o $found -S $3 $(dictionary $1 "-x ") -- $root/$2/$1 >$log 2>&1 ||
@@ -71,6 +73,18 @@ by_libfuzzer() {
         -artifact_prefix=$root/$2/faults/$1- $(dictionary $1 -dict=) $found fuzz/corpus/$1 >$log 2>&1
     sed -n 's/^stat::number_of_executed_units: *//p' $log
 }
+
+# Runs files, as AFL++ leaves out those that show a fault at its start: manner, harness, files
+if [ "$1" = --replay ]; then
+    program=$root/$2/$3 faults=$root/$2/faults/$3
+    shift 3
+    timeout 300 $program "$@" >/dev/null 2>&1 && exit 0
+    mkdir -p ${faults%/*}
+    for file; do
+        timeout 20 $program $file >/dev/null 2>&1 || cp $file $faults-${file##*/}
+    done
+    exit 0
+fi
 
 # One process: fuzzer, manner, harness, number of the instance, seconds
 if [ "$1" = --one ]; then
@@ -116,7 +130,7 @@ for manner in $MANNERS; do
         runs=$(cat $root/runs/$manner.$harness.* | awk '{ sum += $1 } END { printf "%.0f", sum }')
         if [ $fuzzer = afl ]; then
             found=$root/found/$manner/$harness
-            ls $found/*/crashes/id* $found/*/hangs/id* 2>/dev/null >$root/shown
+            ls $found/*/crashes/id* $found/*/hangs/id* $root/$manner/faults/$harness-* 2>/dev/null >$root/shown
             row $harness $manner $runs "$(total execs_per_sec)" "$(total corpus_count)" \
                 "$(cat $found/*/fuzzer_stats | awk '$1 == "edges_found" && $3 > found { found = $3 }
                     $1 == "total_edges" { all = $3 } END { print found " of " all }')" $(wc -l <$root/shown)
