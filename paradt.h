@@ -2574,7 +2574,7 @@ static double paradt__quantum(int exponent) {
 // To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The higher
 // orders, the errors of the computed m_j (n u at most), and the roundings of the bound itself are less than 2^9 u of
 // that in all, for which the factor is larger by 2^-40. tests/bounds.c finds errors of 0.73 of the bound for two
-// columns, a third for three, a quarter to a fifth for four, a seventh for five. In three and more columns not all
+// columns, a third for three, a quarter to a sixth for four, a seventh for five. In three and more columns not all
 // terms can be extreme at once: a sum's rounding is counted in the sizes of the sum's terms, but is relative to the
 // sum; that would be n! P in the end if all monomials had one sign, and is h P at most (Hadamard's bound, see below),
 // which is 5.2 of 6, 16 of 24, 56 of 120. In the bound for all points of a set, which sides of cells are compared with,
