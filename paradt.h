@@ -1648,7 +1648,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      465   one point comes, goes or moves; the set anew
+//     changes of a living set      459   one point comes, goes or moves; the set anew
 //     making a living set          267   the set anew
 //     living set                   464   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
@@ -2574,7 +2574,7 @@ static double paradt__quantum(int exponent) {
 // To first order the error is at most c u S, where S is the sum of the monomials' sizes, and S <= n! P. The higher
 // orders, the errors of the computed m_j (n u at most), and the roundings of the bound itself are less than 2^9 u of
 // that in all, for which the factor is larger by 2^-40. tests/bounds.c finds errors of 0.73 of the bound for two
-// columns, a third for three, a quarter to a fifth for four, a seventh for five. In three and more columns not all
+// columns, a third for three, a quarter to a sixth for four, a seventh for five. In three and more columns not all
 // terms can be extreme at once: a sum's rounding is counted in the sizes of the sum's terms, but is relative to the
 // sum; that would be n! P in the end if all monomials had one sign, and is h P at most (Hadamard's bound, see below),
 // which is 5.2 of 6, 16 of 24, 56 of 120. In the bound for all points of a set, which sides of cells are compared with,
@@ -26972,14 +26972,8 @@ static paradt_status paradt__living_note_weight(paradt_dynamic *d, paradt_index 
 
 // Do the cells around a vertex stay what they are when the vertex is elsewhere? They do if each remains positively
 // oriented, for then they cover the same part of space, and if each facet of them remains locally regular: that proves
-// that they are of T(P). Vertices of the hull are not looked at. The cells are build->update.killed.
-//
-// Orientations are looked at first because that is cheaper; a cell that is turned over never has all facets around it
-// locally regular. Let H be the star, a ball, and look from where the vertex goes to along rays. Behind the cells in
-// conflict with it the slope of its lifted connection to H's boundary grows, and so where a ray comes into H again and
-// leaves it, the cells on both boundaries would meet, at a silhouette, in a facet that is not locally regular. So what
-// is hidden from it behind a part of H's outside stays apart from the rest of the outside on all rays; but the outside
-// of a ball is connected.
+// that they are of T(P). Vertices of the hull are not looked at. The cells are build->update.killed. (A vertex may
+// leave the hull through a facet of a cell around it; such facets have no neighbour to be regular with.)
 static int paradt__living_stays(paradt_dynamic *d, const double *record) {
     paradt__insertion *build = &d->build;
     paradt__scene *scene = &build->scene;

@@ -1185,6 +1185,26 @@ static void vertices_on_the_hull_are_found_from_anywhere(void **state) {
 }
 
 // In a batch points come to the places of vertices, for which they stand then, before these vertices' cells die.
+// A short move, by which no other facet ceases to be locally regular: the cell at the hull turns over.
+static void a_short_move_over_the_hull_changes_the_cells(void **state) {
+    double x[] = {0, 0, 1, 0, 0.5, 0x1p-10, 0.5, 2};
+    const double out[] = {0.5, -0x1p-10};
+    paradt_points points = paradt_points_f64(x, 4, 2);
+    paradt_dynamic *d;
+    paradt_triangulation moved, anew;
+    (void)state;
+    assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+    assert_int_equal(paradt_dynamic_move(d, 2, out, 0), PARADT_OK);
+    assert_int_equal(paradt_dynamic_export(d, &moved), PARADT_OK);
+    memcpy(x + 4, out, sizeof out);
+    assert_int_equal(paradt_triangulate(&anew, &points, NULL), PARADT_OK);
+    assert_int_equal(moved.cell_count, 2);
+    assert_true(paradt_hash(&moved) == paradt_hash(&anew));
+    paradt_free(&anew);
+    paradt_free(&moved);
+    paradt_dynamic_free(d);
+}
+
 static void killed_cells_have_the_ids_that_they_had(void **state) {
     static const double x[] = {9, 9, 0, 0, 4, 0, 0, 4}, more[] = {0, 0, 0, 0, 1, 1, 1, 1};
     paradt_points points = paradt_points_f64(x, 4, 2), come = paradt_points_f64(more, 4, 2);
@@ -1306,6 +1326,8 @@ int main(void) {
     tests[count++] = named_test(places_are_found_soon_in_a_new_set, NULL, "places_are_found_soon_in_a_new_set");
     tests[count++] = named_test(vertices_on_the_hull_are_found_from_anywhere, NULL,
                                 "vertices_on_the_hull_are_found_from_anywhere");
+    tests[count++] = named_test(a_short_move_over_the_hull_changes_the_cells, NULL,
+                                "a_short_move_over_the_hull_changes_the_cells");
     tests[count++] = named_test(killed_cells_have_the_ids_that_they_had, NULL, "killed_cells_have_the_ids_that_they_had");
     tests[count++] = named_test(progress_of_creating_never_falls, NULL, "progress_of_creating_never_falls");
     tests[count++] = named_test(progress_of_a_batch_never_falls, NULL, "progress_of_a_batch_never_falls");
