@@ -421,7 +421,7 @@ static void every_progress_call_can_cancel(void **state) {
     assert_true(reported > 0);
 }
 
-// Many equal points, or points on a sphere, are looked at once more before anything is built. That can be cancelled, too.
+// The first calls of progress come while many points are read and sorted, many of them equal or near a sphere. Each can cancel.
 static void reading_many_points_can_be_cancelled(void **state) {
     (void)state;
     for (int equal = 0; equal < 2; equal++) {
