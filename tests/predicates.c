@@ -1266,7 +1266,7 @@ static void the_general_stage_keeps_its_room(void **state) {
     for (int k = 1; k <= PARADT_MAX_DIM; k++)
         for (int weighted = 0; weighted < 2; weighted++) {
             double memory[MAX_POINTS][RECORD];
-            const double *p[MAX_POINTS];
+            const double *p[MAX_POINTS] = {0};
             paradt__space space;
             paradt__determinant q = {k + 1, k, k, weighted, p, p[0]};
             paradt__minors m = {&q, NULL, NULL, 0};
