@@ -11,18 +11,17 @@ work=build/tests/hostile
 . tests/programs/builds.sh
 begin "up down zero" "up down zero"
 case $(uname -m) in
-x86_64 | i?86) sse="ftz up+ftz" x87="single double double+down" ;;
-*) sse= x87= ;;
+x86_64 | i?86) sse="ftz up+ftz" both=up+ftz x87="single double double+down" rounded=double+down ;;
+*) sse= both= x87= rounded= ;;
 esac
 both gcc_native_fast_math "up zero $sse" "up $sse" gcc -O1 -fexpensive-optimizations -march=native -ffast-math -ffp-contract=fast
-both gcc_x87 "up $x87" "$x87" gcc -O1 -m32 -mfpmath=387 -mno-sse
+both gcc_x87 "$rounded" "$x87" gcc -O1 -m32 -mfpmath=387 -mno-sse
 same gcc_O0_no_simd "up" gcc -O0 -DPARADT_NO_SIMD -Wall -Wextra -Werror
 same clang_O0_index64 "" clang -O0 -DPARADT_INDEX64
 same gcc_O2_fast_math "up $sse" gcc -O2 -ffast-math
-same gcc_m32_sse "$sse" gcc -O1 -m32 -msse2 -mfpmath=sse
-same clang_O2 "down" clang -O2 -Wall -Wextra -Werror
+same gcc_m32_sse "$both" gcc -O1 -m32 -msse2 -mfpmath=sse
+same clang_O1 "down" clang -O1 -Wall -Wextra -Werror
 same clang_native_fast "up $sse" clang -Ofast -march=native -w
-same clang_x87 "double+down" clang -O1 -m32 -mno-sse
 same tcc "" tcc
 runner=qemu-aarch64
 if has $runner; then same arm64_fast_math "" clang --target=aarch64-linux-gnu -O1 -ffast-math -static -w; else skip arm64_fast_math "$runner is not installed"; fi

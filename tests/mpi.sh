@@ -191,7 +191,7 @@ exact() { # name, ranks, most points sent to other ranks in percent of all, inpu
         END { print sent, "of", all, "points sent"; exit !(all && 100 * sent <= most * all) }' >>"$work/log"
     report $? "$1" "$work/log"
 }
-exact clusters_in_two_boxes_miss_no_cell 2 5 gen:clusters:1000000:1
+exact clusters_in_two_boxes_miss_no_cell 2 5 gen:clusters:300000:1
 exact a_thin_slab_in_eight_boxes_misses_no_cell 8 25 gen:plane:64000:1
 exact a_sphere_is_not_sent_to_every_rank 8 50 gen:sphere:100000:1
 # The questions would take minutes here, so all points are sent instead.
@@ -231,7 +231,7 @@ mkdir "$work/a&b" && on 2 "$tool" --quiet -o "$work/a&b/x&y.pvtu" gen:uniform:10
     grep -q '"x&amp;y_1.vtu"' "$work/a&b/x&y.pvtu" && [ -s "$work/a&b/x&y_1.vtu" ]
 report $? names_of_pieces_are_escaped "$work/log"
 
-on 2 "$tool" --quiet --progress gen:uniform:3000000:1 2>"$work/log" &&
+on 2 "$tool" --quiet --progress gen:uniform:1000000:1 2>"$work/log" &&
     tr '\r' '\n' <"$work/log" | grep -o '[0-9]*%' | tr -d % >"$work/percents" && [ -s "$work/percents" ] &&
     sort -n -c "$work/percents" 2>>"$work/log"
 report $? rank_0_shows_progress_that_never_goes_back "$work/log"

@@ -194,7 +194,7 @@ static int next_scene(int number, scene *out) {
                 {4, PARADT_UNIFORM, 0, 0},
                 {3, PARADT_BISECTION, 1, 0}};
     enum { INPUTS = sizeof inputs / sizeof inputs[0], WAYS = sizeof ways / sizeof ways[0] };
-    int each = (SANITIZED ? 4 : 2) * number;
+    int each = (SANITIZED ? 6 : 2) * number;
     int input = each % INPUTS, way = each / INPUTS % WAYS, method = each / INPUTS / WAYS;
     memset(out, 0, sizeof *out);
     if (method >= PARADT_METHOD_COUNT)

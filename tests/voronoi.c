@@ -766,7 +766,7 @@ enum { EVERYTHING = 63 };
 
 static void cells_in_the_plane_are_those_of_the_definition(void **state) {
     (void)state;
-    compare_families(2, 12, EVERYTHING, NULL, is_quick() || SANITIZED ? 1 : 2, SANITIZED ? 2 : 1);
+    compare_families(2, 12, EVERYTHING, NULL, 1, SANITIZED ? 2 : 1);
 }
 
 static void cells_in_space_are_those_of_the_definition(void **state) {

@@ -739,7 +739,7 @@ static void memory_stays_within_its_limit(int weighted, unsigned flags) {
     sample share = share_of(&s, BLOCKS, rank % 3, 3, order);
     paradt_points points = flags ? points_of(&s) : points_of(&share);
     size_t said = 0;
-    for (sixteenth = PARTS + 1; sixteenth > 2 && comms[2] != MPI_COMM_NULL; sixteenth--) {
+    for (sixteenth = PARTS + 1; sixteenth > 2 && comms[2] != MPI_COMM_NULL; sixteenth -= sixteenth > PARTS ? 1 : 3) {
         paradt_mpi_triangulation t;
         paradt_mpi_options options;
         paradt_status status;
@@ -882,9 +882,9 @@ static void options_and_errors(void) {
     arguments_are_explained();
     flat_points_can_be_an_error();
     for (int culprit = 0; culprit < 3; culprit++) {
-        if (culprit != 1) failing_allocations_are_agreed_on(culprit, 0, 0); // two of the three ways each
-        if (culprit != 2) failing_allocations_are_agreed_on(culprit, 1, 0);
-        if (culprit != 0) failing_allocations_are_agreed_on(culprit, 1, PARADT_MPI_REPLICATED);
+        if (culprit == 0) failing_allocations_are_agreed_on(culprit, 0, 0); // one of the three ways each
+        if (culprit == 1) failing_allocations_are_agreed_on(culprit, 1, 0);
+        if (culprit == 2) failing_allocations_are_agreed_on(culprit, 1, PARADT_MPI_REPLICATED);
     }
     for (int way = 0; way < 4; way++) memory_stays_within_its_limit(way & 1, way & 2 ? PARADT_MPI_REPLICATED : 0);
     eight_ranks_hold_less_than_double_an_eighth();
