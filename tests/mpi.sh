@@ -231,7 +231,7 @@ mkdir "$work/a&b" && on 2 "$tool" --quiet -o "$work/a&b/x&y.pvtu" gen:uniform:10
     grep -q '"x&amp;y_1.vtu"' "$work/a&b/x&y.pvtu" && [ -s "$work/a&b/x&y_1.vtu" ]
 report $? names_of_pieces_are_escaped "$work/log"
 
-on 2 "$tool" --quiet --progress gen:uniform:1000000:1 2>"$work/log" &&
+on 2 "$tool" --quiet --progress gen:uniform:3000000:1 2>"$work/log" &&
     tr '\r' '\n' <"$work/log" | grep -o '[0-9]*%' | tr -d % >"$work/percents" && [ -s "$work/percents" ] &&
     sort -n -c "$work/percents" 2>>"$work/log"
 report $? rank_0_shows_progress_that_never_goes_back "$work/log"
