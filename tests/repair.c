@@ -294,6 +294,26 @@ typedef struct purse {
     int live;
 } purse;
 
+// Neighbours on the hull lie in one plane here, so whether their ghosts are regular depends on the cells behind, which change later.
+static void ghosts_follow_the_cells_behind_them(void **state) {
+    static const double before[12][3] = {{930, 929, 927}, {929, 930, 927}, {929, 928, 931}, {931, 929, 930}, {927, 929, 930}, {927, 929, 928},
+                                         {929, 927, 930}, {930, 931, 929}, {930, 929, 931}, {927, 930, 929}, {929, 927, 928}, {928, 927, 929}};
+    static const double there[3][3] = {{749, 747, 746}, {748, 747, 745}, {749, 747, 748}}; // of points 2, 6 and 10
+    double after[12][3];
+    paradt_points points = paradt_points_f64(before[0], 12, 3), moved = paradt_points_f64(after[0], 12, 3);
+    paradt_triangulation t, anew;
+    (void)state;
+    memcpy(after, before, sizeof after);
+    for (int i = 0; i < 3; i++)
+        memcpy(after[4 * i + 2], there[i], sizeof there[i]);
+    assert_int_equal(paradt_triangulate(&t, &points, NULL), PARADT_OK);
+    assert_int_equal(paradt_triangulate(&anew, &moved, NULL), PARADT_OK);
+    assert_int_equal(paradt_repair(&t, &moved, NULL, NULL), PARADT_OK);
+    assert_true(paradt_hash(&t) == paradt_hash(&anew));
+    paradt_free(&t);
+    paradt_free(&anew);
+}
+
 static void *purse_alloc(void *user, size_t size) {
     purse *p = (purse *)user;
     if (p->fail_at && ++p->calls == p->fail_at)
@@ -417,6 +437,7 @@ int main(void) {
         cmocka_unit_test(many_hidden_points_are_built_anew),
         cmocka_unit_test(the_first_of_points_at_one_place_stands_for_them),
         cmocka_unit_test(hidden_points_join_a_new_vertex),
+        cmocka_unit_test(ghosts_follow_the_cells_behind_them),
         cmocka_unit_test(any_allocation_may_fail),
         cmocka_unit_test(limits_of_memory_are_kept),
         cmocka_unit_test(any_call_of_progress_may_cancel),
