@@ -1631,9 +1631,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull                         304   the entry
 //     given triangulation          206   the caller's cells and points as a mesh and a set
 //     mending by flips             263   what has moved, by flips
-//     mending by holes             438   what flips leave, by small triangulations
+//     mending by holes             440   what flips leave, by small triangulations
 //     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       544   the entry of repairing
+//     repair                       524   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               287   a vertex near any place
@@ -21367,8 +21367,9 @@ static paradt_status paradt__mend_fill(paradt__mend *m, paradt__hole *hole, cons
     return status;
 }
 
-// Marks the cells of a facet, if it is still there, and not locally regular or of a cell that is turned over. Facets
-// between others are marked by their own cells.
+// Marks the cells of a facet, if it is still there, and not locally regular or of a cell that is turned over. A ghost
+// on such a cell can't be asked, and is marked, too: the hole of the cell may leave the ghost, and nobody looks at it
+// again.
 static void paradt__mend_list(paradt__mend *m, paradt_index handle) {
     paradt__scene *scene = &m->flipper.build.scene;
     paradt__mesh *mesh = &scene->mesh;
@@ -21380,8 +21381,9 @@ static void paradt__mend_list(paradt__mend *m, paradt_index handle) {
     }
     other = mesh->links[handle] / corners;
     point = mesh->vertices[mesh->links[handle]];
-    if (point < 0 || mesh->vertices[handle] < 0 || paradt__mend_is_wrong(mesh, cell)) return;
-    if (!paradt__conflicts(scene, cell, paradt__scene_record(scene, point))) return;
+    if (point < 0 || mesh->vertices[handle] < 0) return;
+    if (!paradt__mend_is_wrong(mesh, cell) && !paradt__conflicts(scene, cell, paradt__scene_record(scene, point)))
+        return;
     m->stats->stuck++;
     paradt__mesh_mark(mesh, (size_t)cell, PARADT__LISTED);
     paradt__mesh_mark(mesh, (size_t)other, PARADT__LISTED);
@@ -21968,26 +21970,6 @@ static int paradt__repair_surrounds(paradt__repair *r) {
     return 0;
 }
 
-// Are the facets between ghosts locally regular? Whether a point in the plane of a ghost's facet is in conflict with
-// the ghost depends on the cell behind the facet, which may have changed since the facet was looked at. All others
-// depend on their two cells alone.
-static int paradt__repair_hull_is_regular(paradt__repair *r) {
-    paradt__scene *scene = &r->mend.flipper.build.scene;
-    const paradt__mesh *mesh = &scene->mesh;
-    const paradt_index corners = mesh->corners;
-    paradt_index cell, i;
-    for (cell = 0; (size_t)cell < mesh->count; cell++) {
-        const paradt_index *row = paradt__mesh_row(mesh, cell);
-        if (PARADT__LIKELY(paradt__is_finite_cell(row, corners)) || row[0] == PARADT__DEAD) continue;
-        for (i = 0; i < corners; i++) {
-            paradt_index apex = mesh->vertices[mesh->links[cell * corners + i]];
-            if (apex < 0 || row[i] < 0) continue;
-            if (paradt__conflicts(scene, cell, paradt__scene_record(scene, apex))) return 0;
-        }
-    }
-    return 1;
-}
-
 // Mends the triangulation.
 static paradt_status paradt__repair_mend(paradt__repair *r) {
     paradt_repair_stats *stats = r->mend.stats;
@@ -22005,7 +21987,7 @@ static paradt_status paradt__repair_mend(paradt__repair *r) {
     if (!status) status = paradt__mend_flip_all(&r->mend);
     if (!status) status = paradt__mend_fill_all(&r->mend, &r->set);
     if (status) return status;
-    if (!paradt__repair_surrounds(r) || !paradt__repair_hull_is_regular(r)) return PARADT__GAVE_UP;
+    if (!paradt__repair_surrounds(r)) return PARADT__GAVE_UP;
 #if defined(PARADT_VERIFY)
     PARADT_ASSERT(paradt__mend_is_done(&r->mend));
 #endif

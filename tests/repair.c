@@ -294,8 +294,8 @@ typedef struct purse {
     int live;
 } purse;
 
-// Neighbours on the hull lie in one plane here, so whether their ghosts are regular depends on the cells behind, which change later.
-static void ghosts_follow_the_cells_behind_them(void **state) {
+// The hole around a cell that is turned over leaves its ghost, whose facets have to be looked at, too.
+static void ghosts_on_cells_turned_over_are_mended(void **state) {
     static const double before[12][3] = {{930, 929, 927}, {929, 930, 927}, {929, 928, 931}, {931, 929, 930}, {927, 929, 930}, {927, 929, 928},
                                          {929, 927, 930}, {930, 931, 929}, {930, 929, 931}, {927, 930, 929}, {929, 927, 928}, {928, 927, 929}};
     static const double there[3][3] = {{749, 747, 746}, {748, 747, 745}, {749, 747, 748}}; // of points 2, 6 and 10
@@ -437,7 +437,7 @@ int main(void) {
         cmocka_unit_test(many_hidden_points_are_built_anew),
         cmocka_unit_test(the_first_of_points_at_one_place_stands_for_them),
         cmocka_unit_test(hidden_points_join_a_new_vertex),
-        cmocka_unit_test(ghosts_follow_the_cells_behind_them),
+        cmocka_unit_test(ghosts_on_cells_turned_over_are_mended),
         cmocka_unit_test(any_allocation_may_fail),
         cmocka_unit_test(limits_of_memory_are_kept),
         cmocka_unit_test(any_call_of_progress_may_cancel),
