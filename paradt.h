@@ -1530,8 +1530,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     journal         what a change has replaced, by which it is undone
 //     view            a thread's own copy of a scene, by which it asks without changing anything
 //     bucket          a box of the starting cells: it names a vertex near its centre
-//     wall            a bound of the box or a plane that clips cells of a Voronoi diagram; far: none is there, at
-//     infinity ring            the cells around an edge in space: their centres are the corners of a Voronoi face
+//     wall            a bound of the box or a plane that clips cells of a Voronoi diagram; far: at infinity, none
+//     ring            the cells around an edge in space: their centres are the corners of a Voronoi face
 //
 // READING PATHS
 //
@@ -1629,11 +1629,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  475   those that a hull has to look at
 //     hull faces                   375   planes, extreme points, measures
 //     hull                         304   the entry
-//     given triangulation          206   the caller's cells and points as a mesh and a set
-//     mending by flips             263   what has moved, by flips
+//     given triangulation          338   the caller's cells and points as a mesh and a set
+//     spheres of cells in space    167   which cells and facets are still right, four cells together
+//     mending by flips             313   what has moved, by flips
 //     mending by holes             440   what flips leave, by small triangulations
-//     spheres of cells in space    147   which cells and facets are still right, four cells together
-//     repair                       524   the entry of repairing
+//     repair                       540   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               287   a vertex near any place
@@ -20550,8 +20550,8 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 // The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
 // that links back, where both have a vertex of their own, and that the hull has a neighbour across each of its ridges.
 // No coordinate is asked for that: cells may be turned over.
-// Doors: paradt__given_read, paradt__given_place, paradt__given_link, paradt__given_fetch_rows, paradt__given_ghosts,
-// paradt__given_mesh, paradt__given_set.
+// Doors: paradt__given_read, paradt__given_place, paradt__linker_*, paradt__given_ghosts, paradt__given_mesh,
+// paradt__given_set.
 
 // Reads the points into the records of a zeroed set, which are in their order, and adds them to its space; there is
 // memory for one record more.
@@ -20602,61 +20602,190 @@ PARADT__INLINE int paradt__given_place(const paradt_index *row, paradt_index ver
     return i;
 }
 
-// Makes handles of the links of a cell. Two neighbours differ in one vertex, so that the exclusive or of both rows and
-// the own vertex is the other. Cells before this one have handles already. Returns 0 where links do not fit together,
-// or a neighbour, whose row may not have been looked at yet, has a vertex that is no point.
-PARADT__INLINE int paradt__given_link(const paradt__mesh *mesh, size_t cell, size_t points, int facets, int corners) {
-    paradt_index *links = mesh->links, base = (paradt_index)cell * corners, end = (paradt_index)mesh->count, i, j;
-    paradt_index own = 0;
-    int fits = 1;
-    for (j = 0; j < corners; j++) own ^= mesh->vertices[base + j];
-    for (i = base; i < base + corners; i++) {
-        paradt_index link = links[i], apex = own ^ mesh->vertices[i], other, back;
-        int place;
-        if (link == PARADT__HULL) continue;
-        if (facets) {
-            if (link < 0 || link >= end * corners || links[link] != i) return 0;
-            if ((paradt__tag)mesh->vertices[link] >= (paradt__tag)points) return 0;
-            continue;
-        }
-        if (link < 0 || link >= end) return 0;
-        other = link * corners;
-        for (j = 0; j < corners; j++) apex ^= mesh->vertices[other + j];
-        place = paradt__given_place(mesh->vertices + other, apex, corners);
-        if (place >= corners || (paradt__tag)apex >= (paradt__tag)points) return 0;
-        back = link < (paradt_index)cell ? i : (paradt_index)cell;
-        fits &= links[other + place] == back;
-        links[i] = other + place;
+// How the links of cells become handles: in blocks, each of which is listed, then tied, then settled. A facet is tied
+// from the first of its cells, whose own link becomes a handle at once. That in the later cell becomes -2 - handle
+// until that cell is settled, so that no value of the caller's is taken for one.
+enum {
+    PARADT__GIVEN_BLOCK = 32,  // cells
+    PARADT__LINKER_PACE = 512, // blocks between two looks at whether the call is cancelled
+};
+
+typedef struct paradt__linker {
+    paradt__mesh mesh; // a copy, which nothing that is written can change
+    size_t points;
+    int facets;         // the caller's links are half-facets
+    size_t tied, found; // links of later cells that were made handles, and that were found so
+    paradt__list hull;  // handles of hull facets
+    size_t count[2];    // of the lists of two blocks
+    paradt_index first[2][PARADT__GIVEN_BLOCK * (PARADT_MAX_DIM + 1)]; // handles of facets whose other cell comes later
+    paradt_index across[2][PARADT__GIVEN_BLOCK * (PARADT_MAX_DIM + 1)]; // the vertices there, else the facets' own
+} paradt__linker;
+
+static void paradt__linker_begin(paradt__linker *linker, const paradt__mesh *mesh, size_t points, int facets) {
+    linker->mesh = *mesh;
+    linker->points = points;
+    linker->facets = facets;
+    linker->tied = linker->found = 0;
+    memset(&linker->hull, 0, sizeof linker->hull);
+}
+
+// The end of a block's cells
+PARADT__INLINE size_t paradt__linker_end(const paradt__linker *linker, size_t block) {
+    size_t end = (block + 1) * PARADT__GIVEN_BLOCK;
+    return end < linker->mesh.count ? end : linker->mesh.count;
+}
+
+// Are the vertices of a row points, each another one?
+PARADT__INLINE int paradt__given_is_row(const paradt_index *row, size_t points, int corners) {
+    int i, j, distinct = 1;
+    if (!paradt__vertices_among(row, corners, 0, (paradt_index)points)) return 0;
+#if PARADT__FOUR_AT_ONCE
+    if (corners == 4) {
+        const __m128i four = _mm_loadu_si128((const __m128i *)(const void *)row);
+        const __m128i next = _mm_cmpeq_epi32(four, _mm_shuffle_epi32(four, 0x39)); // 1, 2, 3, 0
+        const __m128i across = _mm_cmpeq_epi32(four, _mm_shuffle_epi32(four, 0x4e));
+        return !_mm_movemask_epi8(_mm_or_si128(next, across));
     }
+#endif
+    for (i = 1; i < corners; i++) {
+        for (j = 0; j < i; j++) distinct &= row[i] != row[j];
+    }
+    return distinct;
+}
+
+// Lists the facets of a block's cells whose other cell comes later, and fetches the rows of these cells, and the
+// records of the own vertices if there are any. Returns 0 where a row is none.
+PARADT__INLINE int paradt__linker_list(paradt__linker *linker, size_t block, const paradt__scene *scene, int corners) {
+    const paradt__mesh *mesh = &linker->mesh;
+    paradt_index *first = linker->first[block % 2], *across = linker->across[block % 2];
+    size_t cell, end = paradt__linker_end(linker, block), count = 0, step = linker->facets ? 1 : (size_t)corners;
+    int i;
+    for (cell = block * PARADT__GIVEN_BLOCK; cell < end; cell++) {
+        const paradt_index *row = mesh->vertices + cell * (size_t)corners,
+                           *links = mesh->links + cell * (size_t)corners;
+        const paradt_index base = (paradt_index)cell * corners;
+        if (!paradt__given_is_row(row, linker->points, corners)) return 0;
+        for (i = 0; i < corners; i++) {
+            first[count] = base + i;
+            count += links[i] > (linker->facets ? base + i : (paradt_index)cell);
+            if (!scene) continue;
+            *across++ = row[i];
+            PARADT__FETCH(scene->records, (size_t)row[i] * scene->width);
+        }
+    }
+    for (i = 0; (size_t)i < count; i++) {
+        size_t other = (size_t)mesh->links[first[i]] * step;
+        PARADT__FETCH(mesh->links, other);
+        PARADT__FETCH(mesh->vertices, other);
+    }
+    linker->count[block % 2] = count;
+    return 1;
+}
+
+// Ties the facets that are listed of a block. Two neighbours differ in one vertex, so that the exclusive or of both
+// rows and the own vertex is the other, whose record is fetched. Returns 0 where links do not fit together.
+PARADT__INLINE int paradt__linker_tie(paradt__linker *linker, size_t block, const paradt__scene *scene, int corners) {
+    const paradt__mesh mesh = linker->mesh;
+    const paradt_index *first = linker->first[block % 2];
+    const paradt_index end = (paradt_index)mesh.count;
+    paradt_index *across = linker->across[block % 2] - block * PARADT__GIVEN_BLOCK * (size_t)corners;
+    size_t at, count = linker->count[block % 2];
+    int fits = 1, j;
+    for (at = 0; at < count; at++) {
+        const paradt_index handle = first[at], link = mesh.links[handle];
+        paradt_index mirror = link, apex, cell = handle / corners;
+        if (link >= (linker->facets ? end * corners : end)) return 0;
+        if (!linker->facets) {
+            const paradt_index *row = mesh.vertices + cell * corners, *other = mesh.vertices + link * corners;
+            int place;
+            for (apex = mesh.vertices[handle], j = 0; j < corners; j++) apex ^= row[j] ^ other[j];
+            place = paradt__given_place(other, apex, corners);
+            if (place >= corners) return 0;
+            mirror = link * corners + place;
+        }
+        apex = mesh.vertices[mirror];
+        if ((paradt__tag)apex >= (paradt__tag)linker->points) return 0;
+        fits &= mesh.links[mirror] == (linker->facets ? handle : cell);
+        mesh.links[handle] = mirror;
+        mesh.links[mirror] = -2 - handle;
+        if (!scene) continue;
+        across[handle] = apex;
+        PARADT__FETCH(scene->records, (size_t)apex * scene->width);
+    }
+    linker->tied += count;
     return fits;
 }
 
-// Fetches the rows of a cell's neighbours ahead of their use: those of which the cell is the first to be looked at.
-PARADT__INLINE void paradt__given_fetch_rows(const paradt__mesh *mesh, size_t cell, int facets, int corners) {
-    int i;
-    if (cell >= mesh->count) return;
-    for (i = 0; i < corners; i++) {
-        paradt_index link = mesh->links[cell * (size_t)corners + (size_t)i];
-        size_t row = (size_t)link * (facets ? 1 : (size_t)corners);
-        if (link < 0) continue;
-        PARADT__FETCH(mesh->links, row);
-        PARADT__FETCH(mesh->vertices, row);
+// Lists the hull facets of a block.
+PARADT__NOINLINE paradt_status paradt__linker_open(paradt__linker *linker, paradt_index begin, paradt_index end,
+                                                   paradt__memory *memory) {
+    paradt_status status = PARADT_OK;
+    paradt_index handle;
+    for (handle = begin; handle < end && !status; handle++) {
+        if (linker->mesh.links[handle] == PARADT__HULL) status = paradt__list_append(&linker->hull, handle, memory);
     }
+    return status;
+}
+
+// Settles the cells of a block, whose facets and those of all before are tied, and lists their hull facets. Finds links
+// to an earlier cell that has none to this one, or to the cell itself.
+PARADT__INLINE paradt_status paradt__linker_settle(paradt__linker *linker, size_t block, paradt__memory *memory,
+                                                   int corners) {
+    const paradt_index begin = (paradt_index)(block * PARADT__GIVEN_BLOCK) * corners;
+    const paradt_index end = (paradt_index)paradt__linker_end(linker, block) * corners;
+    paradt_index base = begin, *links = linker->mesh.links, i;
+    int fits = 1, open = 0;
+#if PARADT__FOUR_AT_ONCE
+    if (corners == 4) {
+        const __m128i hull = _mm_set1_epi32(PARADT__HULL), two = _mm_set1_epi32(-2);
+        __m128i found = _mm_setzero_si128(), wrong = found, none = found;
+        int counts[4];
+        for (; base < end; base += 4) {
+            const __m128i value = _mm_loadu_si128((const __m128i *)(const void *)(links + base));
+            const __m128i marked = _mm_cmplt_epi32(value, hull), handle = _mm_sub_epi32(two, value);
+            const __m128i link = _mm_or_si128(_mm_and_si128(marked, handle), _mm_andnot_si128(marked, value));
+            const __m128i lower = _mm_cmplt_epi32(link, _mm_set1_epi32(base));
+            const __m128i higher = _mm_cmpgt_epi32(link, _mm_set1_epi32(base + 3)),
+                          is_hull = _mm_cmpeq_epi32(link, hull);
+            const __m128i right = _mm_or_si128(_mm_and_si128(marked, lower), _mm_or_si128(higher, is_hull));
+            _mm_storeu_si128((__m128i *)(void *)(links + base), link);
+            wrong = _mm_or_si128(wrong, _mm_andnot_si128(right, two));
+            found = _mm_sub_epi32(found, marked);
+            none = _mm_or_si128(none, is_hull);
+        }
+        _mm_storeu_si128((__m128i *)(void *)counts, found);
+        linker->found += (size_t)counts[0] + (size_t)counts[1] + (size_t)counts[2] + (size_t)counts[3];
+        fits = _mm_movemask_epi8(_mm_cmpeq_epi8(wrong, _mm_setzero_si128())) == 0xffff;
+        open = _mm_movemask_epi8(none) != 0;
+    }
+#endif
+    for (; base < end; base += corners) {
+        for (i = base; i < base + corners; i++) {
+            const paradt_index value = links[i], link = value < PARADT__HULL ? -2 - value : value;
+            links[i] = link;
+            linker->found += value < PARADT__HULL;
+            open |= link == PARADT__HULL;
+            fits &= link >= base + corners || (value <= PARADT__HULL && link < base);
+        }
+    }
+    if (!fits) return PARADT_ERROR_INVALID;
+    return open ? paradt__linker_open(linker, begin, end, memory) : PARADT_OK;
 }
 
 // Makes the ghosts of a mesh of cells that are linked, for which there is room.
-PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, paradt__memory *memory) {
+//   hull  handles of the hull facets
+PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, const paradt__list *hull,
+                                                    paradt__memory *memory) {
     const int corners = mesh->corners;
-    const paradt_index end = (paradt_index)mesh->count * corners;
-    paradt_index handle, base;
+    paradt_index base;
+    size_t at;
     int i;
     paradt__facets ridges;
     paradt_status status = paradt__facets_begin(&ridges, 0, 1, memory);
-    for (handle = 0; handle < end && !status; handle++) {
-        paradt_index first = handle - handle % corners;
+    for (at = 0; at < hull->count && !status; at++) {
+        const paradt_index handle = hull->items[at], first = handle - handle % corners;
         const int place = (int)(handle % corners);
-        if (mesh->links[handle] >= 0) continue;
-        PARADT_ASSERT(mesh->count < mesh->capacity);
+        PARADT_ASSERT(mesh->links[handle] == PARADT__HULL && mesh->count < mesh->capacity);
         base = (paradt_index)mesh->count++ * corners;
         for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
             mesh->vertices[base + (i < 2 ? 1 - i : i)] =
@@ -20675,19 +20804,18 @@ PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, paradt__
 }
 
 // Makes handles of the links of all cells.
-PARADT__INLINE paradt_status paradt__given_link_all(const paradt__mesh *mesh, size_t points, int facets,
-                                                    paradt__meter *meter, int corners) {
-    enum { PACE = 1 << 14, ROWS_AHEAD = 12 };
-    const paradt__mesh copy = *mesh; // which nothing that is written can change
-    size_t cell;
-    for (cell = 0; cell < copy.count; cell++) {
-        if (cell % PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
-        paradt__given_fetch_rows(&copy, cell + ROWS_AHEAD, facets, corners);
-        if (!paradt__vertices_among(copy.vertices + cell * (size_t)corners, corners, 0, (paradt_index)points) ||
-            !paradt__given_link(&copy, cell, points, facets, corners))
-            return PARADT_ERROR_INVALID;
+PARADT__INLINE paradt_status paradt__linker_all(paradt__linker *linker, paradt__memory *memory, paradt__meter *meter,
+                                                int corners) {
+    size_t blocks = (linker->mesh.count + PARADT__GIVEN_BLOCK - 1) / PARADT__GIVEN_BLOCK, block;
+    paradt_status status = PARADT_OK;
+    for (block = 0; block <= blocks && !status; block++) {
+        if (block % PARADT__LINKER_PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+        if (block < blocks && !paradt__linker_list(linker, block, NULL, corners)) return PARADT_ERROR_INVALID;
+        if (!block) continue;
+        if (!paradt__linker_tie(linker, block - 1, NULL, corners)) return PARADT_ERROR_INVALID;
+        status = paradt__linker_settle(linker, block - 1, memory, corners);
     }
-    return PARADT_OK;
+    return status || linker->tied == linker->found ? status : PARADT_ERROR_INVALID;
 }
 
 // Makes a closed mesh, with arrays of its own and without marks, of a triangulation of dimension 1 at least that has
@@ -20696,6 +20824,7 @@ PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const para
                                                   paradt__memory *memory, paradt__meter *meter) {
     enum { PACE = 1 << 16 }; // cells between two looks at whether the call is cancelled
     size_t corners = (size_t)(t->dim + 1), count = t->cell_count, hull = 0, i;
+    paradt__linker linker;
     paradt_status status;
     PARADT_ASSERT(t->dim >= 1 && t->cells && t->neighbors);
     paradt__mesh_begin(mesh, t->dim + 1, 0);
@@ -20714,9 +20843,12 @@ PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const para
         memcpy(mesh->vertices + i * corners, t->cells + i * corners, bytes);
         memcpy(mesh->links + i * corners, t->neighbors + i * corners, bytes);
     }
-    status = corners == 4 ? paradt__given_link_all(mesh, t->point_count, facets, meter, 4)
-                          : paradt__given_link_all(mesh, t->point_count, facets, meter, mesh->corners);
-    return status ? status : paradt__given_ghosts(mesh, memory);
+    paradt__linker_begin(&linker, mesh, t->point_count, facets);
+    status = corners == 4 ? paradt__linker_all(&linker, memory, meter, 4)
+                          : paradt__linker_all(&linker, memory, meter, mesh->corners);
+    if (!status) status = paradt__given_ghosts(mesh, &linker.hull, memory);
+    paradt__list_free(&linker.hull, memory);
+    return status;
 }
 
 // Makes a zeroed set of the points of a triangulation whose mesh has been made: measured, and with the axes that orient
@@ -20746,6 +20878,173 @@ PARADT__OPTIONAL paradt_status paradt__given_set(paradt__set *set, const paradt_
 #endif
 
 #ifndef PARADT_NO_FLIPS
+// ---------------------------------------------------------------------------------------------------------------------
+// >>spheres of cells in space
+//
+// In space, without weights: are cells positively oriented, and their facets locally regular? Each cell's sphere is
+// made once for all of its facets, as in >>kept spheres, and four cells are looked at together: in lanes that compilers
+// can make vectors of, or by AVX2. The sphere's bound on the error also proves that the cell is positively oriented.
+// Where it does not, or leaves a facet open, the predicates are to be asked.
+//
+// What is found of four cells is told in bits: bit i that cell i is positively oriented, and all its facets are
+// decided; bit 4 + 4 i + k that the facet of number k of cell i is not locally regular, if that cell is decided.
+// Doors: paradt__choose_look.
+
+enum { PARADT__TOGETHER = 4 }; // cells whose spheres are made together
+
+// What is known of some cells in lanes, so that compilers can make vectors of them
+typedef struct paradt__lanes {
+    double edge[3][4][PARADT__TOGETHER]; // from the last vertex to the others; and their squares
+    double base[4][PARADT__TOGETHER];    // the last vertex, and its lift
+    double apex[3][PARADT__TOGETHER];    // across a facet
+    double asked[PARADT__TOGETHER];      // 0 where nothing is to be asked about the facet, else 1
+    double normal[3][PARADT__TOGETHER], constant[PARADT__TOGETHER], error[PARADT__TOGETHER];
+    double power[4][PARADT__TOGETHER]; // of the apexes across facets
+    double least[PARADT__TOGETHER];    // the least power's size, less the error; positive: all facets are decided
+} paradt__lanes;
+
+// Fills in the vertices.
+PARADT__INLINE void paradt__lanes_load(paradt__lanes *lanes, const paradt__insertion *build,
+                                       const paradt_index *bases) {
+    const double *centre = build->kept->centre;
+    int lane, vertex, axis;
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        const paradt_index *row = build->scene.mesh.vertices + bases[lane];
+        const double *p = build->scene.records + 3 * (size_t)row[3];
+        for (axis = 0; axis < 3; axis++) lanes->base[axis][lane] = p[axis] - centre[axis];
+        for (vertex = 0; vertex < 3; vertex++) {
+            const double *x = build->scene.records + 3 * (size_t)row[vertex];
+            for (axis = 0; axis < 3; axis++) lanes->edge[vertex][axis][lane] = x[axis] - p[axis];
+        }
+    }
+}
+
+// Fills in the points that are asked about across the facets of number i.
+PARADT__INLINE void paradt__lanes_across(paradt__lanes *lanes, const paradt__insertion *build,
+                                         const paradt_index *bases, const paradt_index *asked, int i) {
+    const double *centre = build->kept->centre;
+    int lane, axis;
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        paradt_index vertex = asked[4 * lane + i];
+        const double *x = build->scene.records + 3 * (size_t)vertex;
+        for (axis = 0; axis < 3; axis++) lanes->apex[axis][lane] = x[axis] - centre[axis];
+        lanes->asked[lane] = vertex != build->scene.mesh.vertices[bases[lane] + i] ? 1.0 : 0.0;
+    }
+}
+
+PARADT__INLINE unsigned paradt__lanes_look(const paradt__insertion *build, const paradt_index *bases,
+                                           const paradt_index *asked) {
+    const paradt__frame *frame = &build->kept->frame;
+    paradt__lanes l;
+    unsigned found = 0;
+    int lane, i;
+    paradt__lanes_load(&l, build, bases);
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        double edge[3][4], normal[3], constant, error;
+        paradt__centred p;
+        for (i = 0; i < 3; i++) {
+            double x = l.edge[i][0][lane], y = l.edge[i][1][lane], z = l.edge[i][2][lane];
+            edge[i][0] = x;
+            edge[i][1] = y;
+            edge[i][2] = z;
+            edge[i][3] = x * x + y * y + z * z;
+            p.s[i] = l.base[i][lane];
+        }
+        p.lift = p.s[0] * p.s[0] + p.s[1] * p.s[1] + p.s[2] * p.s[2];
+        // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
+        paradt__sphere_make(PARADT__MAKE_QUICKLY, frame, &p, edge[1], edge[0], edge[2], normal, &constant, &error);
+        for (i = 0; i < 3; i++) l.normal[i][lane] = normal[i];
+        l.constant[lane] = constant;
+        l.error[lane] = error;
+        l.least[lane] = PARADT__NO_ERROR_BOUND * 0.5 - error;
+    }
+    for (i = 0; i < 4; i++) {
+        paradt__lanes_across(&l, build, bases, asked, i);
+        for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+            double x = l.apex[0][lane], y = l.apex[1][lane], z = l.apex[2][lane], size;
+            double power = (x * x + y * y + z * z + l.constant[lane]) +
+                           (l.normal[0][lane] * x + l.normal[1][lane] * y + l.normal[2][lane] * z);
+            power = l.asked[lane] > 0.5 ? power : PARADT__NO_ERROR_BOUND;
+            size = (power < 0.0 ? -power : power) - l.error[lane];
+            l.power[i][lane] = power;
+            l.least[lane] = size < l.least[lane] ? size : l.least[lane];
+        }
+    }
+    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
+        found |= (unsigned)(l.least[lane] > 0.0) << lane;
+        for (i = 0; i < 4; i++) found |= (unsigned)(l.power[i][lane] < 0.0) << (4 + 4 * lane + i);
+    }
+    return found;
+}
+
+static unsigned paradt__look_plain(const paradt__insertion *build, const paradt_index *bases,
+                                   const paradt_index *asked) {
+    return paradt__lanes_look(build, bases, asked);
+}
+
+#if defined(PARADT__KEPT_AVX2)
+// Returns four vertices, of each of four rows one, relative to a point each.
+PARADT__AVX2 PARADT__INLINE void paradt__four_vertices(const double *records, const paradt_index *a,
+                                                       const paradt_index *b, const paradt_index *c,
+                                                       const paradt_index *d, const __m256d *point, __m256d *to) {
+    paradt__four_differences(0, records + 3 * (size_t)*a, records + 3 * (size_t)*b, records + 3 * (size_t)*c,
+                             records + 3 * (size_t)*d, point, to);
+}
+
+PARADT__AVX2 static unsigned paradt__look_avx2(const paradt__insertion *build, const paradt_index *bases,
+                                               const paradt_index *asked) {
+    const double *c = build->kept->centre, *records = build->scene.records;
+    const paradt_index *vertices = build->scene.mesh.vertices;
+    const paradt_index *e = vertices + bases[0], *f = vertices + bases[1], *g = vertices + bases[2],
+                       *h = vertices + bases[3];
+    const __m256d centre[3] = {_mm256_set1_pd(c[0]), _mm256_set1_pd(c[1]), _mm256_set1_pd(c[2])};
+    const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
+    const __m256d none = _mm256_set1_pd(PARADT__NO_ERROR_BOUND * 0.5), sign = _mm256_set1_pd(-0.0);
+    __m256d last[3], p[4], edge[3][4], sphere[4], error, least;
+    unsigned found = 0;
+    int i;
+    paradt__four_vertices(records, e + 3, f + 3, g + 3, h + 3, zero, last);
+    for (i = 0; i < 3; i++) {
+        p[i] = _mm256_sub_pd(last[i], centre[i]);
+        paradt__four_vertices(records, e + i, f + i, g + i, h + i, last, edge[i]);
+        edge[i][3] = paradt__dot_avx2(edge[i], edge[i]);
+    }
+    p[3] = paradt__dot_avx2(p, p);
+    // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
+    paradt__four_spheres(PARADT__MAKE_QUICKLY, &build->kept->frame, p, edge[1], edge[0], edge[2], sphere, &error);
+    least = none;
+    for (i = 0; i < 4; i++) {
+        const paradt_index *at = asked + i;
+        const __m128i across = _mm_setr_epi32(at[0], at[4], at[8], at[12]);
+        const __m128i own = _mm_setr_epi32(e[i], f[i], g[i], h[i]);
+        const __m256d nothing = _mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm_cmpeq_epi32(across, own)));
+        __m256d x[3], power;
+        unsigned negative;
+        paradt__four_vertices(records, at, at + 4, at + 8, at + 12, centre, x);
+        power = _mm256_add_pd(paradt__dot_avx2(x, x), sphere[3]);
+        power = _mm256_add_pd(power, paradt__dot_avx2(sphere, x));
+        power = _mm256_blendv_pd(power, none, nothing);
+        least = _mm256_min_pd(least, _mm256_andnot_pd(sign, power));
+        negative = (unsigned)_mm256_movemask_pd(power);
+        found |=
+            (negative & 1) << i | (negative & 2) << (3 + i) | (negative & 4) << (6 + i) | (negative & 8) << (9 + i);
+    }
+    return found << 4 | (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(least, error, _CMP_GT_OQ));
+}
+#endif
+
+// Looks at four cells.
+//   bases  [4]  the handle that each cell begins with
+//   asked  [16] of each facet the vertex that is asked about, across it; the own vertex: nothing is asked
+typedef unsigned (*paradt__look)(const paradt__insertion *build, const paradt_index *bases, const paradt_index *asked);
+
+static paradt__look paradt__choose_look(void) {
+#if defined(PARADT__KEPT_AVX2)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__look_avx2;
+#endif
+    return paradt__look_plain;
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // >>mending by flips
 //
@@ -20779,6 +21078,7 @@ typedef struct paradt__mend {
     uint64_t looks;      // at facets
     uint64_t most_flips; // with more it is better to build anew
     int vanished;        // vertices may be in no cell any more
+    paradt__look look;   // in space, without weights; else NULL
 } paradt__mend;
 
 // Is a vertex of what was collected in Q?
@@ -20825,24 +21125,73 @@ static int paradt__mend_is_circuit(paradt__mend *m) {
     return is;
 }
 
-// Flips what was collected, and lists the facets of the new cells: all, or those that are not between cells of the same
-// circuit, which are locally regular where the circuit was not.
-static paradt_status paradt__mend_flip(paradt__mend *m, int all) {
-    const paradt__update *update = &m->flipper.build.update;
-    int corners = m->flipper.build.scene.mesh.corners, i;
-    paradt_status status = corners == 4 ? paradt__flip(&m->flipper, 4) : paradt__flip(&m->flipper, corners);
-    size_t made, count = update->made_count * (size_t)corners;
-    if (!status)
-        status = paradt__list_room(&m->facets.items, m->facets.count, &m->facets.capacity, m->facets.count + count,
-                                   m->flipper.build.memory);
-    if (status) return status;
-    for (made = 0; made < update->made_count; made++) {
-        paradt_index base = update->made[made] - update->made[made] % corners;
-        const paradt_index *row = m->flipper.build.scene.mesh.vertices + base;
-        for (i = 0; i < corners; i++) {
-            if (all || !paradt__mend_in_q(&m->flipper, row[i])) m->facets.items[m->facets.count++] = base + i;
+// Lists the facets of a new cell: all, or those that are not between cells of the same circuit.
+PARADT__INLINE void paradt__mend_list_facets(paradt__mend *m, paradt_index base, int all) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    int i;
+    for (i = 0; i < mesh->corners; i++) {
+        if (all || !paradt__mend_in_q(&m->flipper, mesh->vertices[base + i]))
+            m->facets.items[m->facets.count++] = base + i;
+    }
+}
+
+// Looks at new cells together, and lists those of their facets that are not locally regular, or lead to cells that are
+// turned over; where a cell is not decided, all that would be listed without the look.
+//   bases  [4] of which the first `count` count
+static void paradt__mend_look_together(paradt__mend *m, paradt_index *bases, int count, int all) {
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    paradt_index asked[4 * PARADT__TOGETHER];
+    unsigned found;
+    int lane, i;
+    for (lane = count; lane < PARADT__TOGETHER; lane++) bases[lane] = bases[0];
+    for (i = 0; i < 4 * PARADT__TOGETHER; i++) {
+        paradt_index handle = bases[i / 4] + i % 4, apex = mesh->vertices[mesh->links[handle]];
+        asked[i] = apex >= 0 ? apex : mesh->vertices[handle];
+    }
+    found = m->look(&m->flipper.build, bases, asked);
+    PARADT_CLAIM(look, &m->flipper.build, bases, asked, found);
+    for (lane = 0; lane < count; lane++) {
+        if (!(found >> lane & 1)) {
+            paradt__mend_list_facets(m, bases[lane], all);
+            continue;
+        }
+        for (i = 0; i < 4; i++) {
+            int wrong = mesh->marks[mesh->links[bases[lane] + i] / 4] & PARADT__WRONG;
+            if (wrong || found >> (4 + 4 * lane + i) & 1) m->facets.items[m->facets.count++] = bases[lane] + i;
         }
     }
+}
+
+// Lists the facets of the new cells that are to be looked at.
+static paradt_status paradt__mend_list_made(paradt__mend *m, int all) {
+    const paradt__update *update = &m->flipper.build.update;
+    const paradt__mesh *mesh = &m->flipper.build.scene.mesh;
+    const size_t made_count = update->made_count, corners = (size_t)mesh->corners;
+    paradt_index bases[PARADT__TOGETHER];
+    int together = 0;
+    size_t made;
+    paradt_status status = paradt__list_room(&m->facets.items, m->facets.count, &m->facets.capacity,
+                                             m->facets.count + made_count * corners, m->flipper.build.memory);
+    for (made = 0; made < made_count && !status; made++) {
+        paradt_index base = update->made[made] - update->made[made] % mesh->corners;
+        if (!m->look || !paradt__is_finite_cell(mesh->vertices + base, mesh->corners)) {
+            paradt__mend_list_facets(m, base, all);
+            continue;
+        }
+        bases[together++] = base;
+        if (together == PARADT__TOGETHER) paradt__mend_look_together(m, bases, together, all), together = 0;
+    }
+    if (together) paradt__mend_look_together(m, bases, together, all);
+    return status;
+}
+
+// Flips what was collected, and lists what is to be looked at: of all facets of the new cells, or of those that are not
+// between cells of the same circuit, which are locally regular where the circuit was not.
+static paradt_status paradt__mend_flip(paradt__mend *m, int all) {
+    int corners = m->flipper.build.scene.mesh.corners;
+    paradt_status status = corners == 4 ? paradt__flip(&m->flipper, 4) : paradt__flip(&m->flipper, corners);
+    if (!status) status = paradt__mend_list_made(m, all);
+    if (status) return status;
     m->vanished |= m->flipper.positive == 1;
     PARADT__VERIFY_SMALL(&m->flipper.build.scene.mesh, 1, PARADT__CONFLICT);
     return ++m->stats->flips > m->most_flips ? PARADT__GAVE_UP : PARADT_OK;
@@ -21450,153 +21799,6 @@ static paradt_status paradt__mend_fill_all(paradt__mend *m, const paradt__set *s
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// >>spheres of cells in space
-//
-// In space, without weights: are cells positively oriented, and their facets locally regular? Each cell's sphere is
-// made once for all of its facets, as in >>kept spheres, and four cells are looked at together: in lanes that compilers
-// can make vectors of, or by AVX2. The sphere's bound on the error also proves that the cell is positively oriented.
-// Where it does not, the predicates are to be asked. A facet is looked at from the first of its cells alone.
-// Doors: paradt__choose_fine.
-
-enum { PARADT__TOGETHER = 4 }; // cells whose spheres are made together
-
-// What is known of some cells in lanes, so that compilers can make vectors of them
-typedef struct paradt__lanes {
-    double edge[3][4][PARADT__TOGETHER]; // from the last vertex to the others; and their squares
-    double base[4][PARADT__TOGETHER];    // the last vertex, and its lift
-    double apex[3][PARADT__TOGETHER];    // across a facet
-    double asked[PARADT__TOGETHER];      // 0 where nothing is to be asked about the facet, else 1
-    double normal[3][PARADT__TOGETHER], constant[PARADT__TOGETHER], error[PARADT__TOGETHER];
-    double least[PARADT__TOGETHER]; // of the powers of apexes, less the error; positive: all facets are locally regular
-} paradt__lanes;
-
-// Fills in the vertices.
-PARADT__INLINE void paradt__lanes_load(paradt__lanes *lanes, const paradt__insertion *build, size_t cell) {
-    const double *centre = build->kept->centre;
-    int lane, vertex, axis;
-    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
-        const paradt_index *row = build->scene.mesh.vertices + 4 * (cell + (size_t)lane);
-        const double *p = build->scene.records + 3 * (size_t)row[3];
-        for (axis = 0; axis < 3; axis++) lanes->base[axis][lane] = p[axis] - centre[axis];
-        for (vertex = 0; vertex < 3; vertex++) {
-            const double *x = build->scene.records + 3 * (size_t)row[vertex];
-            for (axis = 0; axis < 3; axis++) lanes->edge[vertex][axis][lane] = x[axis] - p[axis];
-        }
-    }
-}
-
-// Fills in the apexes across the facets of number i, where these are asked about: from the first of their cells.
-PARADT__INLINE void paradt__lanes_across(paradt__lanes *lanes, const paradt__insertion *build, size_t cell, int i) {
-    const double *centre = build->kept->centre;
-    int lane, axis;
-    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
-        paradt_index handle = (paradt_index)(4 * (cell + (size_t)lane)) + i, mirror = build->scene.mesh.links[handle];
-        int asked = mirror > handle;
-        const double *x = build->scene.records + 3 * (size_t)build->scene.mesh.vertices[asked ? mirror : handle];
-        for (axis = 0; axis < 3; axis++) lanes->apex[axis][lane] = x[axis] - centre[axis];
-        lanes->asked[lane] = asked ? 1.0 : 0.0;
-    }
-}
-
-// Of some cells from `cell` on: a bit for each whose sphere tells that the cell is positively oriented and its facets
-// are locally regular
-PARADT__INLINE unsigned paradt__lanes_fine(const paradt__insertion *build, size_t cell) {
-    const paradt__frame *frame = &build->kept->frame;
-    paradt__lanes l;
-    unsigned fine = 0;
-    int lane, i;
-    paradt__lanes_load(&l, build, cell);
-    for (lane = 0; lane < PARADT__TOGETHER; lane++) {
-        double edge[3][4], normal[3], constant, error;
-        paradt__centred p;
-        for (i = 0; i < 3; i++) {
-            double x = l.edge[i][0][lane], y = l.edge[i][1][lane], z = l.edge[i][2][lane];
-            edge[i][0] = x;
-            edge[i][1] = y;
-            edge[i][2] = z;
-            edge[i][3] = x * x + y * y + z * z;
-            p.s[i] = l.base[i][lane];
-        }
-        p.lift = p.s[0] * p.s[0] + p.s[1] * p.s[1] + p.s[2] * p.s[2];
-        // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-        paradt__sphere_make(PARADT__MAKE_QUICKLY, frame, &p, edge[1], edge[0], edge[2], normal, &constant, &error);
-        for (i = 0; i < 3; i++) l.normal[i][lane] = normal[i];
-        l.constant[lane] = constant;
-        l.error[lane] = error;
-        l.least[lane] = PARADT__NO_ERROR_BOUND * 0.5 - error;
-    }
-    for (i = 0; i < 4; i++) {
-        paradt__lanes_across(&l, build, cell, i);
-        for (lane = 0; lane < PARADT__TOGETHER; lane++) {
-            double x = l.apex[0][lane], y = l.apex[1][lane], z = l.apex[2][lane];
-            double power = (x * x + y * y + z * z + l.constant[lane]) +
-                           (l.normal[0][lane] * x + l.normal[1][lane] * y + l.normal[2][lane] * z) - l.error[lane];
-            power = l.asked[lane] > 0.5 ? power : l.least[lane];
-            l.least[lane] = power < l.least[lane] ? power : l.least[lane];
-        }
-    }
-    for (lane = 0; lane < PARADT__TOGETHER; lane++) fine |= (unsigned)(l.least[lane] > 0.0) << lane;
-    return fine;
-}
-
-static unsigned paradt__fine_plain(const paradt__insertion *build, size_t cell) {
-    return paradt__lanes_fine(build, cell);
-}
-
-#if defined(PARADT__KEPT_AVX2)
-// Returns the vertices of a number in four cells, relative to a point each.
-PARADT__AVX2 PARADT__INLINE void paradt__four_vertices(const paradt__insertion *build, const paradt_index *vertices,
-                                                       const paradt_index *handles, const __m256d *point, __m256d *to) {
-    const double *records = build->scene.records;
-    paradt__four_differences(0, records + 3 * (size_t)vertices[handles[0]], records + 3 * (size_t)vertices[handles[1]],
-                             records + 3 * (size_t)vertices[handles[2]], records + 3 * (size_t)vertices[handles[3]],
-                             point, to);
-}
-
-PARADT__AVX2 static unsigned paradt__fine_avx2(const paradt__insertion *build, size_t cell) {
-    static const paradt_index rows[4][4] = {{0, 4, 8, 12}, {1, 5, 9, 13}, {2, 6, 10, 14}, {3, 7, 11, 15}};
-    const double *c = build->kept->centre;
-    const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links + 4 * cell;
-    const __m256d centre[3] = {_mm256_set1_pd(c[0]), _mm256_set1_pd(c[1]), _mm256_set1_pd(c[2])};
-    const __m256d zero[3] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
-    __m256d last[3], p[4], edge[3][4], sphere[4], error, least;
-    int i;
-    paradt__four_vertices(build, vertices + 4 * cell, rows[3], zero, last);
-    for (i = 0; i < 3; i++) {
-        p[i] = _mm256_sub_pd(last[i], centre[i]);
-        paradt__four_vertices(build, vertices + 4 * cell, rows[i], last, edge[i]);
-        edge[i][3] = paradt__dot_avx2(edge[i], edge[i]);
-    }
-    p[3] = paradt__dot_avx2(p, p);
-    // (a, b, c, p) is positive when det(a - p, b - p, c - p) is negative
-    paradt__four_spheres(PARADT__MAKE_QUICKLY, &build->kept->frame, p, edge[1], edge[0], edge[2], sphere, &error);
-    least = _mm256_set1_pd(PARADT__NO_ERROR_BOUND * 0.5);
-    for (i = 0; i < 4; i++) {
-        paradt_index apexes[4]; // from the first of a facet's cells; else any vertex
-        __m256d x[3], power, asked;
-        __m128i first = _mm_add_epi32(_mm_set1_epi32((int)(4 * cell) + i), _mm_setr_epi32(0, 4, 8, 12));
-        __m128i across = _mm_setr_epi32(links[i], links[4 + i], links[8 + i], links[12 + i]);
-        _mm_storeu_si128((__m128i *)(void *)apexes, _mm_max_epi32(across, first));
-        asked = _mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm_cmpgt_epi32(across, first)));
-        paradt__four_vertices(build, vertices, apexes, centre, x);
-        power = _mm256_add_pd(paradt__dot_avx2(x, x), sphere[3]);
-        power = _mm256_add_pd(power, paradt__dot_avx2(sphere, x));
-        least = _mm256_blendv_pd(least, _mm256_min_pd(power, least), asked);
-    }
-    return (unsigned)_mm256_movemask_pd(_mm256_cmp_pd(least, error, _CMP_GT_OQ));
-}
-#endif
-
-typedef unsigned (*paradt__fine)(const paradt__insertion *build, size_t cell);
-
-static paradt__fine paradt__choose_fine(void) {
-#if defined(PARADT__KEPT_AVX2)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return paradt__fine_avx2;
-#endif
-    return paradt__fine_plain;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
 // >>repair
 //
 // paradt_repair: takes the caller's triangulation over as a mesh, asks each cell and facet once whether it is still
@@ -21616,7 +21818,8 @@ typedef struct paradt__repair {
     int facets;  // links are half-facets
     int touched; // the caller's arrays have been changed
     int renamed; // a vertex has another index now
-    size_t hull, inverted;
+    paradt__linker linker;
+    size_t inverted;
     uint64_t hidden, duplicates;
 } paradt__repair;
 
@@ -21681,51 +21884,63 @@ PARADT__NOINLINE paradt_status paradt__repair_ask(paradt__repair *r, size_t cell
     return PARADT_OK;
 }
 
-// Fetches the records of a cell, and of the apexes of neighbours, ahead of their use.
-PARADT__INLINE void paradt__repair_fetch_records(const paradt__insertion *build, size_t cell, int corners) {
-    const paradt__mesh *mesh = &build->scene.mesh;
-    paradt_index base = (paradt_index)cell * corners, i;
-    for (i = base; i < base + corners; i++) {
-        paradt_index mirror = mesh->links[i] > i ? mesh->links[i] : i; // no branch, which could not be predicted
-        PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[i] * build->scene.width);
-        PARADT__FETCH(build->scene.records, (size_t)mesh->vertices[mirror] * build->scene.width);
-    }
-}
-
-// Passes over all cells: links become handles, and what is not right is listed. Rows are fetched first, then the cells
-// are linked, for which the neighbours' rows are needed, and their records fetched, then the cells are looked at.
-PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int corners, int spheres) {
-    enum { PACE = 1 << 14, ROWS_AHEAD = 24, LINKED_AHEAD = 12 };
-    const paradt__insertion *build = &r->mend.flipper.build;
-    const paradt__mesh mesh = build->scene.mesh;
-    const paradt__fine fine = paradt__choose_fine();
+// Lists what the spheres of a cell tell, or asks about it. found: as of >>spheres of cells, shifted
+PARADT__NOINLINE paradt_status paradt__repair_note(paradt__repair *r, size_t cell, unsigned found, int lane) {
     paradt_status status = PARADT_OK;
-    size_t cell, linked = 0;
-    unsigned known = 0; // of this and the next cells: they are fine
     int i;
-    for (cell = 0; cell < mesh.count && !status; cell++, known >>= 1) {
-        const paradt_index *links = mesh.links + cell * (size_t)corners;
-        if (cell % PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
-        for (; linked < mesh.count && linked <= cell + LINKED_AHEAD; linked++) {
-            paradt__given_fetch_rows(&mesh, linked + ROWS_AHEAD, r->facets, corners);
-            if (!paradt__vertices_among(mesh.vertices + linked * (size_t)corners, corners, 0,
-                                        (paradt_index)r->set.count) ||
-                !paradt__given_link(&mesh, linked, r->set.count, r->facets, corners))
-                return PARADT_ERROR_INVALID;
-            paradt__repair_fetch_records(build, linked, corners);
-        }
-        for (i = 0; i < corners; i++) r->hull += links[i] < 0;
-        if (spheres && cell % PARADT__TOGETHER == 0)
-            known = cell + PARADT__TOGETHER <= mesh.count ? fine(build, cell) : 0;
-        if (spheres && cell % PARADT__TOGETHER == 0) PARADT_CLAIM(fine, build, cell, known);
-        if (!(known & 1)) status = paradt__repair_ask(r, cell);
+    if (!(found >> lane & 1)) return paradt__repair_ask(r, cell);
+    for (i = 0; i < 4 && !status; i++) {
+        if (!(found >> (4 + 4 * lane + i) & 1)) continue;
+        r->mend.stats->irregular++;
+        status = paradt__list_append(&r->mend.facets, (paradt_index)(4 * cell) + i, &r->memory);
     }
     return status;
 }
 
+// Looks at the cells of a block, which are linked.
+// asked: [4 cells] as in >>spheres of cells
+PARADT__INLINE paradt_status paradt__repair_look(paradt__repair *r, size_t cell, size_t end, const paradt_index *asked,
+                                                 int spheres) {
+    enum { ALL_FINE = (1 << PARADT__TOGETHER) - 1 };
+    const paradt__insertion *build = &r->mend.flipper.build;
+    paradt_status status = PARADT_OK;
+    for (; spheres && cell + PARADT__TOGETHER <= end && !status; cell += PARADT__TOGETHER) {
+        const paradt_index base = (paradt_index)(4 * cell);
+        const paradt_index bases[PARADT__TOGETHER] = {base, base + 4, base + 8, base + 12};
+        unsigned found = r->mend.look(build, bases, asked);
+        int lane;
+        PARADT_CLAIM(look, build, bases, asked, found);
+        for (lane = 0; found != ALL_FINE && lane < PARADT__TOGETHER && !status; lane++)
+            status = paradt__repair_note(r, cell + (size_t)lane, found, lane);
+        asked += 4 * PARADT__TOGETHER;
+    }
+    for (; cell < end && !status; cell++) status = paradt__repair_ask(r, cell);
+    return status;
+}
+
+// Passes over all cells: links become handles, and what is not right is listed.
+PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int corners, int spheres) {
+    const paradt__scene *scene = &r->mend.flipper.build.scene;
+    paradt__linker *linker = &r->linker;
+    paradt_status status = PARADT_OK;
+    size_t blocks = (scene->mesh.count + PARADT__GIVEN_BLOCK - 1) / PARADT__GIVEN_BLOCK, block;
+    paradt__linker_begin(linker, &scene->mesh, r->set.count, r->facets);
+    for (block = 0; block <= blocks && !status; block++) {
+        if (block % PARADT__LINKER_PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
+        if (block < blocks && !paradt__linker_list(linker, block, scene, corners)) return PARADT_ERROR_INVALID;
+        if (!block) continue;
+        if (!paradt__linker_tie(linker, block - 1, scene, corners)) return PARADT_ERROR_INVALID;
+        status = paradt__linker_settle(linker, block - 1, &r->memory, corners);
+        if (!status)
+            status = paradt__repair_look(r, (block - 1) * PARADT__GIVEN_BLOCK, paradt__linker_end(linker, block - 1),
+                                         linker->across[(block - 1) % 2], spheres);
+    }
+    return status || linker->tied == linker->found ? status : PARADT_ERROR_INVALID;
+}
+
 PARADT__HOT paradt_status paradt__repair_survey(paradt__repair *r) {
     int corners = r->mend.flipper.build.scene.mesh.corners;
-    if (PARADT_MAX_DIM >= 3 && r->mend.flipper.build.kept) return paradt__repair_survey_any(r, 4, 1);
+    if (PARADT_MAX_DIM >= 3 && r->mend.look) return paradt__repair_survey_any(r, 4, 1);
     return paradt__repair_survey_any(r, corners, 0);
 }
 
@@ -21736,8 +21951,9 @@ static paradt_status paradt__repair_ghosts(paradt__repair *r) {
     const int corners = mesh->corners;
     size_t ghost = mesh->count;
     int infinite, i;
-    paradt_status status = paradt__insertion_reserve(&r->mend.flipper.build, ghost + r->hull, ghost + r->hull);
-    if (!status) status = paradt__given_ghosts(mesh, &r->memory);
+    size_t places = ghost + r->linker.hull.count;
+    paradt_status status = paradt__insertion_reserve(&r->mend.flipper.build, places, places);
+    if (!status) status = paradt__given_ghosts(mesh, &r->linker.hull, &r->memory);
     for (; ghost < mesh->count && !status; ghost++) {
         const paradt_index base = (paradt_index)ghost * corners;
         infinite = paradt__ghost_place(mesh->vertices + base, corners);
@@ -21918,6 +22134,7 @@ static paradt_status paradt__repair_begin(paradt__repair *r) {
     build->count = build->inserted = 8; // few: no more is kept of spheres than what they are made with
     if (r->t->dim == 3 && !r->set.space.weighted) status = paradt__kept_begin(build);
     build->count = build->inserted = r->set.count;
+    if (build->kept) r->mend.look = paradt__choose_look();
     r->mend.most_flips = 2 * r->t->cell_count + 1000;
     return status ? status
                   : paradt__list_room(&build->update.killed, 0, &build->update.killed_capacity, 64, &r->memory);
@@ -22066,6 +22283,7 @@ static paradt_status paradt__repair_in_place(paradt_triangulation *t, const para
         paradt__mend_end(&r.mend);
         paradt__mesh_free(&r.mend.flipper.build.scene.mesh, &r.memory);
     }
+    paradt__list_free(&r.linker.hull, &r.memory);
     paradt__set_free(&r.set, &r.memory);
     if (!status || r.touched || status == PARADT_ERROR_MEMORY) {
         t->stats.peak_bytes = r.memory.peak;

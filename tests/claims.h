@@ -21,7 +21,7 @@ typedef enum claim_kind {
     GHOST_SPACE,        // powers of ghosts
     GHOST_PLANE,        //
     SIDES,              // of the facets of a cell
-    FINE,               // cells that are fine by their spheres
+    LOOK,               // what the spheres of cells tell
     SEARCH_F,           // the search's F,
     SEARCH_N,           // its N,
     SEARCH_SIDE,        // what they decide of a point,
@@ -111,7 +111,8 @@ static void claim_powers(const struct paradt__insertion *build, const struct par
                          const paradt_index *links, const double *x, const double *values);
 static void claim_sides(const struct paradt__scene *scene, const paradt_index *row, const double *x,
                         const double *values, double certain, int corners);
-static void claim_fine(const struct paradt__insertion *build, size_t cell, unsigned fine);
+static void claim_look(const struct paradt__insertion *build, const paradt_index *bases, const paradt_index *asked,
+                       unsigned found);
 static void claim_search(const struct paradt__search *s, const double *x, double f, double f_bound, double n,
                          double n_bound);
 static void claim_lanes(const struct paradt__search *s, size_t first, size_t span, unsigned out);

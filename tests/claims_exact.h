@@ -131,22 +131,24 @@ static void claim_sides(const paradt__scene *scene, const paradt_index *row, con
     }
 }
 
-static void claim_fine(const paradt__insertion *build, size_t cell, unsigned fine) {
+static void claim_look(const paradt__insertion *build, const paradt_index *bases, const paradt_index *asked,
+                       unsigned found) {
     const paradt__scene *scene = &build->scene;
     paradt__space space = scene->space;
     for (int lane = 0; lane < PARADT__TOGETHER; lane++) {
-        const paradt_index base = (paradt_index)(4 * (cell + (size_t)lane));
         const double *p[5];
-        if (!(fine >> lane & 1))
+        if (!(found >> lane & 1))
             continue;
         for (int i = 0; i < 4; i++)
-            p[i] = paradt__scene_record(scene, scene->mesh.vertices[base + i]);
-        claim_decision(FINE, paradt__exact_orient(&space, p) > 0);
+            p[i] = paradt__scene_record(scene, scene->mesh.vertices[bases[lane] + i]);
+        claim_decision(LOOK, paradt__exact_orient(&space, p) > 0);
         for (int i = 0; i < 4; i++) {
-            if (scene->mesh.links[base + i] <= base + i)
+            const paradt_index vertex = asked[4 * lane + i];
+            const int within = (int)(found >> (4 + 4 * lane + i) & 1);
+            if (vertex == scene->mesh.vertices[bases[lane] + i])
                 continue;
-            p[4] = paradt__scene_record(scene, scene->mesh.vertices[scene->mesh.links[base + i]]);
-            claim_decision(FINE, paradt__exact_insphere(&space, p) < 0);
+            p[4] = paradt__scene_record(scene, vertex);
+            claim_decision(LOOK, (paradt__exact_insphere(&space, p) > 0) == within);
         }
     }
 }

@@ -231,6 +231,75 @@ static void links_to_nowhere_are_invalid(void **state) {
     sample_free(&s);
 }
 
+static void expect_invalid(const sample *s, int facets, const size_t *places, const paradt_index *values, int count) {
+    paradt_points points = points_of(s);
+    paradt_options options = {0};
+    options.flags = facets ? PARADT_FACETS : 0;
+    paradt_triangulation t = triangulation_of(s, &options);
+    for (int i = 0; i < count; i++)
+        t.neighbors[places[i]] = values[i];
+    assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_INVALID);
+    paradt_free(&t);
+}
+
+// One link is wrong: what is there otherwise fits. Links to earlier cells pass through negative numbers: none of the caller's
+// may be taken for one, alone or with open facets where it would lead. A row that has a vertex twice is no cell.
+static void links_and_rows_that_do_not_fit_are_invalid(void **state) {
+    (void)state;
+    for (int d = 2; d <= 4; d++) {
+        sample s = family_make(&families[family_named("uniform")], NULL, d, 16, 4);
+        paradt_triangulation t = triangulation_of(&s, NULL);
+        paradt_points points = points_of(&s);
+        const size_t corners = (size_t)d + 1, count = t.cell_count * corners;
+        for (size_t at = 0; at < count; at++) {
+            const paradt_index own = (paradt_index)(at / corners), other = t.neighbors[at];
+            const paradt_index wrong[] = {own, (own + 1) % (paradt_index)t.cell_count, 0, -1, -2 - (paradt_index)at, -2, -3,
+                                          -2 - (paradt_index)corners * other};
+            for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
+                if (wrong[i] != other)
+                    expect_invalid(&s, 0, &at, &wrong[i], 1);
+            for (size_t mirror = 0; mirror < at && other >= 0 && other < own; mirror++) {
+                const size_t places[] = {mirror, at};
+                const paradt_index values[] = {-1, -2 - (paradt_index)mirror};
+                if (t.neighbors[mirror] != own || mirror / corners != (size_t)other)
+                    continue;
+                expect_invalid(&s, 0, places, values, 2);
+                expect_invalid(&s, 1, places, values, 2);
+            }
+        }
+        // A cell is open to all sides, but its neighbours lead to it.
+        size_t first = 0, open = 0, end = corners;
+        while (first + corners <= count && open < end) {
+            for (open = first, end = first + corners; open < end && t.neighbors[open] > (paradt_index)(first / corners);)
+                open++;
+            first = end;
+        }
+        assert_int_equal(open, end);
+        paradt_triangulation cut = triangulation_of(&s, NULL);
+        for (size_t at = end - corners; at < end; at++) {
+            paradt_index *row = cut.neighbors + cut.neighbors[at] * (paradt_index)corners;
+            while (*row != (paradt_index)(at / corners))
+                row++;
+            *row = -2 - (paradt_index)at;
+        }
+        for (size_t at = end - corners; at < end; at++)
+            cut.neighbors[at] = -1;
+        assert_int_equal(paradt_repair(&cut, &points, NULL, NULL), PARADT_ERROR_INVALID);
+        // One vertex takes the place of its neighbour, everywhere.
+        for (size_t edge = 0; edge < count * corners; edge++) {
+            const paradt_index from = t.cells[edge / corners], to = t.cells[edge / corners / corners * corners + edge % corners];
+            paradt_triangulation merged = triangulation_of(&s, NULL);
+            for (size_t at = 0; at < count; at++)
+                if (t.cells[at] == from)
+                    merged.cells[at] = to;
+            assert_int_equal(paradt_repair(&merged, &points, NULL, NULL), from == to ? PARADT_OK : PARADT_ERROR_INVALID);
+            paradt_free(&merged);
+        }
+        paradt_free(&t);
+        sample_free(&s);
+    }
+}
+
 // Where more than a quarter of the points are hidden, nothing is tried; where fewer are, the triangulation is repaired.
 static void many_hidden_points_are_built_anew(void **state) {
     sample s = family_make(&families[family_named("uniform")], &weightings[0], 3, 2000, 4);
@@ -434,6 +503,7 @@ int main(void) {
         cmocka_unit_test(what_is_to_be_built_anew_stays_until_then),
         cmocka_unit_test(vertices_that_are_no_points_are_invalid),
         cmocka_unit_test(links_to_nowhere_are_invalid),
+        cmocka_unit_test(links_and_rows_that_do_not_fit_are_invalid),
         cmocka_unit_test(many_hidden_points_are_built_anew),
         cmocka_unit_test(the_first_of_points_at_one_place_stands_for_them),
         cmocka_unit_test(hidden_points_join_a_new_vertex),
