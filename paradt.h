@@ -20690,7 +20690,7 @@ PARADT__INLINE int paradt__linker_tie(paradt__linker *linker, size_t block, cons
     const paradt_index end = (paradt_index)mesh.count;
     paradt_index *across = linker->across[block % 2] - block * PARADT__GIVEN_BLOCK * (size_t)corners;
     size_t at, count = linker->count[block % 2];
-    int fits = 1, j;
+    int j;
     for (at = 0; at < count; at++) {
         const paradt_index handle = first[at], link = mesh.links[handle];
         paradt_index mirror = link, apex, cell = handle / corners;
@@ -20705,7 +20705,7 @@ PARADT__INLINE int paradt__linker_tie(paradt__linker *linker, size_t block, cons
         }
         apex = mesh.vertices[mirror];
         if ((paradt__tag)apex >= (paradt__tag)linker->points) return 0;
-        fits &= mesh.links[mirror] == (linker->facets ? handle : cell);
+        if (mesh.links[mirror] != (linker->facets ? handle : cell)) return 0; // so the mirror is not listed
         mesh.links[handle] = mirror;
         mesh.links[mirror] = -2 - handle;
         if (!scene) continue;
@@ -20713,7 +20713,7 @@ PARADT__INLINE int paradt__linker_tie(paradt__linker *linker, size_t block, cons
         PARADT__FETCH(scene->records, (size_t)apex * scene->width);
     }
     linker->tied += count;
-    return fits;
+    return 1;
 }
 
 // Lists the hull facets of a block.
