@@ -11029,6 +11029,7 @@ PARADT__NOINLINE void paradt__kept_look_waiting(paradt__insertion *build, paradt
     for (i = 0; i < count; i++) {
         paradt_index opposite = build->scene.mesh.vertices[dig->links[waiting[i]]];
         PARADT__PREFETCH(paradt__scene_record(&build->scene, opposite >= 0 ? opposite : 0));
+        PARADT__FETCH(build->kept->number, opposite + 1);
     }
     remake(build, waiting, count);
     for (i = 0; i < count; i++) {
