@@ -116,8 +116,9 @@ LEVEL          = $(if $(filter $(OPAQUE),$<),-O2,-O1 -fexpensive-optimizations)
 
 # Warnings about the tools and the library that the tests share, also those of the optimizer, fail the tests.
 test-programs: ERRORS := -Werror
-test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAMS) \
-    $(if $(QUICK),,$(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS)))
+# What takes long to compile comes first, so that no processor is left with it at the end.
+test-programs: $(if $(QUICK),,$(if $(wildcard examples/paradt.c),$(TOOLS)) $(TEST_INPUT)) $(RACE_PROGRAMS) $(ASAN_PROGRAMS) $(TEST_PROGRAMS) \
+    $(FUZZ_PROGRAMS)
 
 # One of the others watches what the library calls.
 WATCHING     := tests/resources.c

@@ -5,7 +5,7 @@
 #include "cgal.h"
 
 enum { LARGEST_DIM = 6 };
-static const int small[] = {0, 0, 14, 14, 11, 10, 9}, large[] = {0, 0, 2000, 2000, 150, 60, 30};
+static const int small[] = {0, 0, 14, 14, 11, 10, 9}, large[] = {0, 0, 1200, 1200, 100, 40, 24};
 
 // For the plane and for space CGAL has special classes beside the general one.
 typedef int (*cgal_call)(const sample *s, cell_set *cells);

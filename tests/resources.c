@@ -278,7 +278,7 @@ static void every_failing_allocation_is_an_error_and_leaks_nothing(void **state)
         int serial = c.options.parallel_for != run_on_threads;
         // A sanitized program lets either one allocation fail or all later ones too.
         for (int after = SANITIZED ? number % 2 : 0; after < (SANITIZED ? number % 2 + 1 : 2); after++)
-            for (size_t k = 1;; k++) {
+            for (size_t k = 1;; k += SANITIZED && k > 50 ? 3 : 1) {
                 books b = books_open();
                 paradt_triangulation t;
                 b.fail_at = k;
@@ -326,7 +326,7 @@ static void the_memory_limit_is_kept(void **state) {
         size_t peak = (size_t)t.stats.peak_bytes, measured = b.peak;
         hash = paradt_hash(&t);
         paradt_free(&t);
-        for (int step = 1; step <= 40; step++) {
+        for (int step = 1; step <= 40; step += SANITIZED ? 3 : 1) {
             size_t limit = peak * (size_t)step / 20 + 1;
             b = books_open();
             c.options.memory_limit = limit;
@@ -393,7 +393,7 @@ static void every_progress_call_can_cancel(void **state) {
             options.regions = way < 4 ? 0 : 3;
             options.parallel_for = way == 7 ? run_on_threads : NULL;
             options.progress = note_progress;
-            for (size_t k = 0; k == 0 || k <= calls; k += 1 + calls / (SANITIZED ? 15 : 60)) {
+            for (size_t k = 0; k == 0 || k <= calls; k += 1 + calls / (SANITIZED ? 15 : 30)) {
                 reports r = reports_open(k);
                 books b = books_open();
                 keep_books(&options, &b);
@@ -597,7 +597,7 @@ static void regions_give_up_where_questions_abound(void **state) {
         paradt_points points = points_of(&s);
         paradt_triangulation whole;
         assert_int_equal(paradt_triangulate(&whole, &points, NULL), PARADT_OK);
-        for (unsigned way = 0; way < 4; way++) {
+        for (unsigned way = 0; way < 4; way += SANITIZED ? 3 : 1) {
             paradt_options options = {0};
             paradt_triangulation t;
             options.regions = 4;
@@ -754,6 +754,8 @@ static void regions_make_few_cells_again(void **state) {
     } cases[] = {{2, 8000, 5, 0.005}, {3, 8000, 4, 0.06}, {3, 100000, 2, 0.015}, {4, 3000, 2, 0.15}};
     (void)state;
     for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
+        if (SANITIZED && cases[i / 2].count > 10000)
+            continue;
         sample s = family_make(&families[family_named("uniform")], NULL, cases[i / 2].dim, cases[i / 2].count, 1);
         paradt_points points = points_of(&s);
         paradt_options options = {0};
