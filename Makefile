@@ -193,8 +193,8 @@ $(T)/families: tests/programs/families.c
 	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -lm
 
 # These take longest, the first ones most. They start first, so that no processor is left with one of them at the end.
-LONGEST := %/hostile_flags.sh %/mpi.sh %/header_builds.sh %/methods_agree %/resources %/definition %/voronoi %/equals_cgal %/link.sh \
-           %/locator %/hull %/host %/predicates_flags.sh %/waiting %/dynamic
+LONGEST := %/hostile_flags.sh %/mpi.sh %/header_builds.sh %/methods_agree %/resources %/voronoi %/waiting %/equals_cgal %/link.sh \
+           %/predicates_flags.sh %/dynamic %/tool.sh %/hull %/locator %/definition %/lifted_hull %/repair %/host
 STARTED := $(if $(QUICK),$(QUICK_SHELL),$(SHELL_TESTS)) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(TEST_PROGRAMS)
 
 # Prints the runner's list: the programs in the order in which they start, then the skipped tests with their reasons.
