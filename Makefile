@@ -84,6 +84,11 @@ QUICK_SHELL  := $(filter %/fuzz_replay.sh %/header_builds.sh %/header_manners.sh
 QUICK_ASAN   := $(filter tests/check.c tests/input.c,$(C_TESTS))
 # Tests of the library's internals contain the implementation. The others share one object of it, built with the same flags.
 OPAQUE       := $(if $(C_TESTS),$(shell grep -L '^ *# *define *PARADT_IMPLEMENTATION' $(C_TESTS)))
+# Of tests of internals, these change nothing of the library by macros, so they share its object, too. Public functions are in them
+# for inlining alone; only the private ones that they call are compiled again. (In system headers gcc does not warn about that.)
+BORROWING    := $(filter tests/check.c tests/delaunay_tree.c tests/insertion.c tests/lifted_hull.c,$(C_TESTS))
+BORROW       := '-DPARADT_DEF=extern inline __attribute__((gnu_inline))' -isystem .
+INCLUDE       = $(if $(filter $(BORROWING),$<),$(BORROW),-I.) -Itests
 
 missing = $(strip $(if $(HAVE_CMOCKA),,libcmocka-dev) $(if $(filter $1,$(NEEDS_GMP)),$(if $(HAVE_GMP),,libgmp-dev)) \
           $(if $(filter $1,$(NEEDS_VORO)),$(if $(HAVE_VORO),,voro++-dev)) \
@@ -111,8 +116,9 @@ LEVEL          = $(if $(filter $(OPAQUE),$<),-O2,-O1 -fexpensive-optimizations)
 
 # Warnings about the tools and the library that the tests share, also those of the optimizer, fail the tests.
 test-programs: ERRORS := -Werror
-test-programs: $(TEST_PROGRAMS) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(FUZZ_PROGRAMS) \
-    $(if $(QUICK),,$(TEST_INPUT) $(if $(wildcard examples/paradt.c),$(TOOLS)))
+# What takes long to compile comes first, so that no processor is left with it at the end.
+test-programs: $(if $(QUICK),,$(if $(wildcard examples/paradt.c),$(TOOLS)) $(TEST_INPUT)) $(RACE_PROGRAMS) $(ASAN_PROGRAMS) $(TEST_PROGRAMS) \
+    $(FUZZ_PROGRAMS)
 
 # One of the others watches what the library calls.
 WATCHING     := tests/resources.c
@@ -120,12 +126,14 @@ LINKED       := $(filter-out $(WATCHING),$(OPAQUE))
 # Undefined behaviour is looked for in the object that these share, and in the code without vectors: compilers need as long for its
 # checks as for all the rest.
 BOTH         := $(LINKED) $(WATCHING) tests/index16.c
+# One small check of it makes the compiler link what the shared object's checks call.
+CHECKED       = $(if $(filter $(BOTH),$<),$(UNDEFINED),$(if $(filter $(BORROWING),$<),-fsanitize=unreachable))
 
-$(call program,$(LINKED)): $(T)/paradt.o
+$(call program,$(LINKED) $(BORROWING)): $(T)/paradt.o
 $(call program,$(WATCHING)): $(T)/paradt_watched.o
-$(patsubst tests/%.c,$(T)/sanitized/%,$(LINKED)): $(T)/sanitized/paradt.o
+$(patsubst tests/%.c,$(T)/sanitized/%,$(LINKED) $(BORROWING)): $(T)/sanitized/paradt.o
 $(patsubst tests/%.c,$(T)/sanitized/%,$(WATCHING)): $(T)/sanitized/paradt_watched.o
-$(patsubst tests/%.c,$(T)/races/%,$(LINKED)): $(T)/races/paradt.o
+$(patsubst tests/%.c,$(T)/races/%,$(LINKED) $(BORROWING)): $(T)/races/paradt.o
 
 $(T)/paradt.o: MANNER = -O2 $(ERRORS)
 $(T)/sanitized/paradt.o: MANNER = -Og $(SANITIZE) $(UNDEFINED)
@@ -140,7 +148,7 @@ $(T)/races/paradt.o: MANNER = -O1 -fsanitize=thread
 $(T)/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) $(LEVEL) $(TRACES) $(ASSERTS) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) $(LEVEL) $(TRACES) $(ASSERTS) $(WARNINGS) $(DEPENDS) $(INCLUDE) -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(call program,$(NEEDS_CGAL)): $(T)/%: tests/%.c $(CGAL_OBJECTS)
 	@mkdir -p $(@D)
@@ -166,12 +174,12 @@ $(T)/cgal_%.o: tests/cgal_%.cc
 $(T)/sanitized/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -Og $(TRACES) $(ASSERTS) $(SANITIZE) $(if $(filter $(BOTH),$<),$(UNDEFINED)) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -Og $(TRACES) $(ASSERTS) $(SANITIZE) $(CHECKED) $(WARNINGS) $(DEPENDS) $(INCLUDE) -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(T)/races/%: tests/%.c
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(CC) -O1 $(TRACES) $(ASSERTS) -fsanitize=thread $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
+	$(CC) -O1 $(TRACES) $(ASSERTS) -fsanitize=thread $(WARNINGS) $(DEPENDS) $(INCLUDE) -o $@ $< $(filter %.o,$^) -pthread -lcmocka $(GMP_LIBRARY) -lm
 
 $(T)/fuzz/%: fuzz/%.c $(T)/$(if $(HAVE_SANITIZERS),sanitized/)paradt.o
 	@mkdir -p $(@D)
@@ -185,8 +193,8 @@ $(T)/families: tests/programs/families.c
 	$(CC) -O2 $(TRACES) $(WARNINGS) $(DEPENDS) -I. -Itests -o $@ $< -lm
 
 # These take longest, the first ones most. They start first, so that no processor is left with one of them at the end.
-LONGEST := %/hostile_flags.sh %/mpi.sh %/header_builds.sh %/methods_agree %/resources %/definition %/voronoi %/equals_cgal %/link.sh \
-           %/locator %/hull %/host %/predicates_flags.sh %/waiting %/dynamic
+LONGEST := %/hostile_flags.sh %/mpi.sh %/header_builds.sh %/methods_agree %/resources %/voronoi %/waiting %/equals_cgal %/link.sh \
+           %/predicates_flags.sh %/dynamic %/tool.sh %/hull %/locator %/definition %/lifted_hull %/repair %/host
 STARTED := $(if $(QUICK),$(QUICK_SHELL),$(SHELL_TESTS)) $(ASAN_PROGRAMS) $(RACE_PROGRAMS) $(TEST_PROGRAMS)
 
 # Prints the runner's list: the programs in the order in which they start, then the skipped tests with their reasons.

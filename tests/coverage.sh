@@ -25,7 +25,7 @@ run() { timeout -k 5 $SECONDS_EACH "$@" </dev/null >>"build/coverage/logs/$name.
 case $name in
 *fuzz_*) run "$program" fuzz/corpus/"${name#*fuzz_}"/* ;;
 ranks) run "$program" 300; run "$program" 100 weights ;;
-mpi) for group in many shares facets weights errors; do run mpiexec -n 8 "$program" $group; done ;;
+mpi) for group in many shares options weights errors; do run mpiexec -n 8 "$program" $group; done ;;
 *) run "$program" ;;
 esac
 END

@@ -278,7 +278,7 @@ static void changed_is_new(void **state) {
         for (int w = 0; w < WEIGHTING_COUNT; w++) {
             int extremes = families[f].extremes || weightings[w].extremes;
             int count = extremes ? points_in[dim] / 3 : points_in[dim], steps = SANITIZED ? 20 : extremes ? 30 : 80;
-            if ((extremes && dim > 4) || (SANITIZED && (f + dim + w / 2) % 2))
+            if ((extremes && dim > 4) || (SANITIZED && (f + dim + w / 2) % 3))
                 continue;
             sample pool = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(3 + f + 50 * w));
             game g = game_begin(&pool, w % 2 ? 0 : pool.count / 2, NULL, (uint64_t)(f + w + dim));
@@ -310,7 +310,7 @@ static void located_by_what_was_is_new(void **state) {
             for (int way = 1; way < WAYS; way++) {
                 int extremes = families[f].extremes || weightings[w].extremes;
                 int count = extremes ? points_in[dim] / 3 : points_in[dim], steps = SANITIZED ? 10 : extremes ? 20 : 40;
-                if (SANITIZED && (f + dim + w / 2) % 2)
+                if (SANITIZED && (f + dim + w / 2) % 3)
                     continue;
                 sample pool = family_make(&families[f], &weightings[w], dim, count, (uint64_t)(3 + f + 50 * w));
                 paradt_options options = {0};

@@ -5,7 +5,7 @@
 #include "cgal.h"
 
 enum { LARGEST_DIM = 6 };
-static const int small[] = {0, 0, 14, 14, 11, 10, 9}, large[] = {0, 0, 2000, 2000, 150, 60, 30};
+static const int small[] = {0, 0, 14, 14, 11, 10, 9}, large[] = {0, 0, 1200, 1200, 100, 40, 24};
 
 // For the plane and for space CGAL has special classes beside the general one.
 typedef int (*cgal_call)(const sample *s, cell_set *cells);
@@ -81,7 +81,7 @@ static void large_sets_equal_cgals(void **state) {
     for (size_t i = 0; i < sizeof chosen / sizeof chosen[0]; i++)
         for (int w = 0; w < 2; w++) {
             int f = family_named(chosen[i]);
-            sample s = family_make(&families[f], &weightings[w], 3, 12000, 5);
+            sample s = family_make(&families[f], &weightings[w], 3, 8000, 5);
             expect_cgals_cells(&s, (int)(i + (size_t)w) % PARADT_METHOD_COUNT, 0);
             if (w == 0) expect_cgals_cells(&s, PARADT_BOWYER_WATSON, 0);
             sample_free(&s);
@@ -93,7 +93,7 @@ static void extreme_points_equal_cgals(void **state) {
     (void)state;
     for (int dim = 2; dim <= 3; dim++)
         for (int f = 0; f < FAMILY_COUNT; f++)
-            for (int n = 30; n <= 9000; n *= 300) {
+            for (int n = 30; n <= 3000; n *= 100) {
                 if (families[f].extremes)
                     continue;
                 sample s = family_make(&families[f], NULL, dim, n, 4);

@@ -44,26 +44,21 @@ for family in gcc clang; do
         builds gcc_O2 "gcc -std=c99 -O2 $c $smallest -o $work/gcc_O2 -lm"
     fi
     if [ $family = gcc ]; then level=-O1; else level=-O0; fi
-    builds "${family}_c++20_ndebug" "$cxx -std=c++20 $level -DNDEBUG $common -x c++ $smallest -o $work/${family}_c++20_ndebug -lm"
-    # Words that <windows.h> defines as macros
-    builds "${family}_c11_assertions_windows_words" "$family -std=c11 -DPARADT_VERIFY -include tests/asserts.h -Dnear= -Dfar= \
-        -Dsmall=char -Dinterface=struct -DIN= -DOUT= $c $smallest -o $work/${family}_c11_assertions_windows_words -lm"
-    builds "${family}_insertion_alone" "$family -std=c99 $insertion_alone $c $smallest -o $work/${family}_insertion_alone -lm"
-    builds "${family}_no_simd_no_hulls" "$family -std=c99 -DPARADT_NO_SIMD -DPARADT_NO_HULLS $c $smallest \
-        -o $work/${family}_no_simd_no_hulls -lm"
-    builds "${family}_index64_cxx" \
-        "$cxx -std=c++11 -DPARADT_INDEX64 $common -x c++ $smallest -o $work/${family}_index64_cxx -lm"
-    builds "${family}_two_files_index64" "
+    builds "${family}_c++20_ndebug_index64" "$cxx -std=c++20 $level -DNDEBUG -DPARADT_INDEX64 $common -x c++ $smallest \
+        -o $work/${family}_c++20_ndebug_index64 -lm"
+    builds "${family}_two_files_index64_no_simd_no_hulls" "
         $family -std=c99 $c -DPARADT_INDEX64 -DUSE_ONLY -DCALL_SECOND_FILE -c $smallest -o $work/${family}_1.o &&
-        $family -std=c99 $c -DPARADT_INDEX64 -DSECOND_FILE -c $smallest -o $work/${family}_2.o &&
-        $family $work/${family}_1.o $work/${family}_2.o -o $work/${family}_two_files_index64 -lm"
+        $family -std=c99 $c -DPARADT_INDEX64 -DPARADT_NO_SIMD -DPARADT_NO_HULLS -DSECOND_FILE -c $smallest -o $work/${family}_2.o &&
+        $family $work/${family}_1.o $work/${family}_2.o -o $work/${family}_two_files_index64_no_simd_no_hulls -lm"
     builds "${family}_cxx_calls_c" "
         $cxx -std=c++11 $common -DPARADT_INDEX64 -DUSE_ONLY -DCALL_SECOND_FILE -x c++ -c $smallest -o $work/${family}_3.o &&
         $cxx $work/${family}_2.o $work/${family}_3.o -o $work/${family}_cxx_calls_c -lm"
-    builds "${family}_static_in_two_files" "
-        $family -std=c99 $c -DPARADT_STATIC -DCALL_SECOND_FILE -c $smallest -o $work/${family}_5.o &&
+    # The first file has assertions, and words that <windows.h> defines as macros; the second one insertion alone.
+    builds "${family}_c11_static_in_two_files" "
+        $family -std=c11 -DPARADT_VERIFY -include tests/asserts.h -Dnear= -Dfar= -Dsmall=char -Dinterface=struct -DIN= -DOUT= \
+            $c -DPARADT_STATIC -DCALL_SECOND_FILE -c $smallest -o $work/${family}_5.o &&
         $family -std=c99 $c -DPARADT_STATIC $insertion_alone -DSECOND_FILE -c $smallest -o $work/${family}_6.o &&
-        $family $work/${family}_5.o $work/${family}_6.o -o $work/${family}_static_in_two_files -lm"
+        $family $work/${family}_5.o $work/${family}_6.o -o $work/${family}_c11_static_in_two_files -lm"
     builds "${family}_static_cxx_no_regions" \
         "$cxx -std=c++11 -DPARADT_STATIC -DPARADT_NO_REGIONS $common -x c++ $smallest -o $work/${family}_static_cxx_no_regions -lm"
     if runner=$(sh tests/programs/runner_32.sh $family -m32); then

@@ -14,6 +14,14 @@
 #include <string.h>
 #include <time.h>
 
+#ifndef SANITIZED
+#if defined(__SANITIZE_ADDRESS__)
+#define SANITIZED 1 // the program is several times slower, so sets are smaller
+#else
+#define SANITIZED 0
+#endif
+#endif
+
 static double *uniform(size_t count, int dim) {
     double *x = (double *)malloc(count * (size_t)dim * sizeof *x + 1);
     uint64_t state = 1;
@@ -119,12 +127,7 @@ static void results_are_empty_after_every_error(void **state) {
 // Each call gets the memory that the call before said was needed, and gets further, until the memory is enough.
 static void after_memory_the_result_says_how_much_was_needed(void **state) {
     const char *quick = getenv("QUICK");
-#if defined(__SANITIZE_ADDRESS__)
-    const size_t count = 2500;
-    (void)quick;
-#else
-    const size_t count = quick && *quick ? 5000 : 10000;
-#endif
+    const size_t count = SANITIZED ? 1500 : quick && *quick ? 5000 : 6000;
     double *x = uniform(count, 3);
     paradt_points points = packed(x, count, 3);
     (void)state;
@@ -174,7 +177,7 @@ static void the_estimate_is_near_what_is_held(void **state) {
     paradt_options options = {0};
     paradt_triangulation t;
     (void)state;
-    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
+    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i += SANITIZED ? 3 : 1) {
         double *x = uniform(calls[i].count, calls[i].dim);
         points = packed(x, calls[i].count, calls[i].dim);
         options.regions = calls[i].regions;
@@ -355,7 +358,7 @@ static void half_facets_lead_there_and_back(void **state) {
     for (int dim = 2; dim <= 5; dim++)
         for (int method = 0; method < PARADT_METHOD_COUNT; method++)
             for (size_t regions = 1; regions <= 3; regions += 2) {
-                size_t count = dim < 4 ? 2000 : 150, k = (size_t)dim + 1, hull = 0;
+                size_t count = dim < 4 ? (SANITIZED ? 500 : 2000) : SANITIZED ? 60 : 150, k = (size_t)dim + 1, hull = 0;
                 double *x = uniform(count, dim);
                 paradt_points points = packed(x, count, dim);
                 paradt_options options = {0};
@@ -606,11 +609,7 @@ static watch begin_watch(paradt_options *options) {
 
 // The fraction is that of the whole call, into however many parts the work is divided.
 static void progress_is_one_fraction_that_never_falls(void **state) {
-#if defined(__SANITIZE_ADDRESS__)
-    enum { PART = 3 };
-#else
-    enum { PART = 1 };
-#endif
+    enum { PART = SANITIZED ? 3 : 1 };
     static const struct {
         int dim, method;
         size_t count, regions;

@@ -17,10 +17,9 @@ esac
 both gcc_native_fast_math "up zero $sse" "up $sse" gcc -O1 -fexpensive-optimizations -march=native -ffast-math -ffp-contract=fast
 both gcc_x87 "$rounded" "$x87" gcc -O1 -m32 -mfpmath=387 -mno-sse
 same gcc_O0_no_simd "up" gcc -O0 -DPARADT_NO_SIMD -Wall -Wextra -Werror
-same clang_O0_index64 "" clang -O0 -DPARADT_INDEX64
 same gcc_O2_fast_math "up $sse" gcc -O2 -ffast-math
 same gcc_m32_sse "$both" gcc -O1 -m32 -msse2 -mfpmath=sse
-same clang_O1 "down" clang -O1 -Wall -Wextra -Werror
+same clang_O1_index64 "down" clang -O1 -DPARADT_INDEX64 -Wall -Wextra -Werror
 same clang_native_fast "up $sse" clang -Ofast -march=native -w
 same tcc "" tcc
 runner=qemu-aarch64

@@ -219,7 +219,8 @@ int main(int argc, char **argv) {
 END
 . tests/programs/mpich.sh
 if has mpicc && has mpiexec; then
-    mpicc -DPARADT_NO_LOCATOR -DPARADT_NO_DYNAMIC -DPARADT_NO_VORONOI -I. "$work/ranks.c" -o "$work/ranks" -lm >"$work/log" 2>&1 &&
+    mpicc -DPARADT_NO_TREE -DPARADT_NO_FLIPS -DPARADT_NO_HULLS -DPARADT_NO_MEASURES -DPARADT_NO_LOCATOR -DPARADT_NO_DYNAMIC \
+        -DPARADT_NO_VORONOI -I. "$work/ranks.c" -o "$work/ranks" -lm >"$work/log" 2>&1 &&
         timeout 120 mpiexec -n 2 "$work/ranks" >>"$work/log" 2>&1 </dev/null
     report $? ranks_keep_the_contracts_of_small_results "$work/log"
 else

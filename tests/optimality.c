@@ -333,7 +333,7 @@ static void numbers_are_those_of_rational_arithmetic(void **state) {
     uint64_t random = (uint64_t)dim;
     exact_sphere s = sphere_make(dim), best = sphere_make(dim);
     for (int k = 0; k < KINDS; k++) {
-        int extreme = k == EXTREMES, turns = (extreme ? 40 : 200) / (dim * dim * (dim > 5 ? 4 : 1)) / (SANITIZED ? 4 : 1) + 1;
+        int extreme = k == EXTREMES, turns = (extreme ? 40 : 200) / (dim * dim * (dim > 5 ? 4 : 1)) / (SANITIZED ? 8 : 1) + 1;
         for (int turn = 0; turn < turns; turn++) {
             simplex c;
             simplex_of_kind(&c, (kind)k, dim, &random);

@@ -38,8 +38,9 @@ for compiler in gcc clang; do
     echo 'int main(void) { return sizeof(__SSE2__) == 0; }' >"$work/probe.c"
     if $compiler "$work/probe.c" -o "$work/probe" 2>/dev/null; then flush=flush; fi
     same ${compiler}_O2 "$rounding $flush" $compiler -O2
-    same ${compiler}_O0 nearest $compiler -O0
-    same ${compiler}_without_int128 nearest $compiler -O2 -U__SIZEOF_INT128__
+    if [ $compiler = gcc ]; then level=-O1; else level=-O0; fi # gcc takes longest without optimisation
+    same ${compiler}$(echo $level | tr - _) nearest $compiler $level
+    same ${compiler}_without_int128 nearest $compiler -O1 -U__SIZEOF_INT128__
     same ${compiler}_Ofast "$rounding $flush" $compiler -Ofast
     if echo 'int main(void) { return 0; }' | $compiler -march=native -x c - -o "$work/probe" 2>/dev/null; then
         same ${compiler}_O3_native "$rounding" $compiler -O3 -march=native -ffp-contract=fast

@@ -8,6 +8,7 @@
 #define PARADT_NO_LOCATOR // not called here, and compiled with many sets of flags
 #define PARADT_NO_DYNAMIC
 #define PARADT_NO_VORONOI
+#define PARADT_NO_MEASURES
 #endif
 #include "paradt.h"
 

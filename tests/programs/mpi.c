@@ -1,12 +1,13 @@
 // Compares the distributed triangulation with the serial one, on the families of the serial tests and several numbers
 // of ranks. Runs under mpiexec and prints TAP on rank 0.
 //
-//     mpiexec -n 8 mpi [families | many | shares | facets | weights | errors]
+//     mpiexec -n 8 mpi [families | many | shares | options | weights | errors]
 //
 // Samples are small, so every rank makes the whole sample and hands in its share.
 
 #define PARADT_MPI_PIECE ((size_t)1000) // splits messages into pieces
-// In the group "errors" space is cut anew for every set. Otherwise the bounds are those of paradt_mpi.h.
+// In the group "errors", and for other methods, space is cut anew for every set. Otherwise the bounds are those of
+// paradt_mpi.h.
 static int always_cut_anew;
 #define PARADT_MPI__WORTH (always_cut_anew ? 0u : 8192u)
 #define PARADT_MPI__MUCH  (always_cut_anew ? 0.0 : 1.25)
@@ -341,7 +342,7 @@ static void same_cells_with_weights(void) {
     static const int counts[] = {0, 0, 300, 200, 50, 20};
     for (int dim = 2; dim <= 5; dim++) {
         for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
-            for (int v = 1; v < WEIGHTING_COUNT; v++)
+            for (int v = 1 + (dim + i) % 2; v < WEIGHTING_COUNT; v += 2) // weightings take turns
                 same_cells_on_family(&families[family_named(names[i])], &weightings[v], dim, counts[dim],
                                      (uint64_t)(v + i), 4);
             finish_test("same cells with weights: %s, d = %d", names[i], dim);
@@ -873,13 +874,11 @@ static void weights_and_replicas(void) {
     same_cells_of_replicated_points();
 }
 
-static void options_and_errors(void) {
+static void errors(void) {
     always_cut_anew = 1;
     same_cells_of_few_points();
-    same_cells_by_other_options();
     empty_communicator_of_one();
     errors_are_agreed_on();
-    arguments_are_explained();
     flat_points_can_be_an_error();
     for (int culprit = 0; culprit < 3; culprit++) {
         if (culprit == 0) failing_allocations_are_agreed_on(culprit, 0, 0); // one of the three ways each
@@ -887,7 +886,6 @@ static void options_and_errors(void) {
         if (culprit == 2) failing_allocations_are_agreed_on(culprit, 1, PARADT_MPI_REPLICATED);
     }
     for (int way = 0; way < 4; way++) memory_stays_within_its_limit(way & 1, way & 2 ? PARADT_MPI_REPLICATED : 0);
-    eight_ranks_hold_less_than_double_an_eighth();
     wrong_arguments_of_gathering_are_agreed_on();
     always_cut_anew = 0;
 }
@@ -908,12 +906,17 @@ static void shares(void) {
     one_point_is_off_the_sphere_of_the_others();
     two_ranks_have_half_of_the_points_each();
     ranks_between_others_have_fewer_points();
+    eight_ranks_hold_less_than_double_an_eighth();
 }
 
-static void facets_and_callbacks(void) {
+static void options_and_callbacks(void) {
     mirrors_of_mirrors_across_ranks();
     weights_are_read_by_type_and_stride();
     progress_never_falls_and_ends_at_one();
+    always_cut_anew = 1;
+    same_cells_by_other_options();
+    arguments_are_explained();
+    always_cut_anew = 0;
 }
 
 static const struct {
@@ -921,7 +924,7 @@ static const struct {
     void (*run)(void);
 } groups[] = {
     {"families", same_cells_on_families}, {"many", same_cells_of_many_points}, {"shares", shares},
-    {"facets", facets_and_callbacks},     {"weights", weights_and_replicas},   {"errors", options_and_errors},
+    {"options", options_and_callbacks},   {"weights", weights_and_replicas},   {"errors", errors},
 };
 
 int main(int argc, char **argv) {

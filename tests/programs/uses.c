@@ -9,6 +9,7 @@
 #define PARADT_NO_FRONTS // not called here
 #define PARADT_NO_REGIONS
 #define PARADT_NO_HULLS
+#define PARADT_NO_MEASURES
 #endif
 #include "paradt.h"
 
