@@ -1590,7 +1590,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     order of insertion           162   rounds along the curve
 //     insertion                    299   dig and star, in any dimension
 //     kept spheres                 640   conflict tests by one product, in two and three dimensions
-//     digging by spheres           381   locate and dig with kept spheres
+//     digging by spheres           382   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
 //     stars in the plane           300   dig and star with kept spheres
 //     insertion by spheres         219   locate, dig and star, all together
