@@ -1629,11 +1629,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  475   those that a hull has to look at
 //     hull faces                   375   planes, extreme points, measures
 //     hull                         304   the entry
-//     given triangulation          338   the caller's cells and points as a mesh and a set
+//     given triangulation          342   the caller's cells and points as a mesh and a set
 //     spheres of cells in space    167   which cells and facets are still right, four cells together
 //     mending by flips             313   what has moved, by flips
 //     mending by holes             440   what flips leave, by small triangulations
-//     repair                       540   the entry of repairing
+//     repair                       541   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               287   a vertex near any place
@@ -20630,6 +20630,10 @@ static void paradt__linker_begin(paradt__linker *linker, const paradt__mesh *mes
     memset(&linker->hull, 0, sizeof linker->hull);
 }
 
+PARADT__INLINE size_t paradt__linker_blocks(const paradt__linker *linker) {
+    return (linker->mesh.count + PARADT__GIVEN_BLOCK - 1) / PARADT__GIVEN_BLOCK;
+}
+
 // The end of a block's cells
 PARADT__INLINE size_t paradt__linker_end(const paradt__linker *linker, size_t block) {
     size_t end = (block + 1) * PARADT__GIVEN_BLOCK;
@@ -20745,10 +20749,10 @@ PARADT__INLINE paradt_status paradt__linker_settle(paradt__linker *linker, size_
             const __m128i value = _mm_loadu_si128((const __m128i *)(const void *)(links + base));
             const __m128i marked = _mm_cmplt_epi32(value, hull), handle = _mm_sub_epi32(two, value);
             const __m128i link = _mm_or_si128(_mm_and_si128(marked, handle), _mm_andnot_si128(marked, value));
-            const __m128i lower = _mm_cmplt_epi32(link, _mm_set1_epi32(base));
-            const __m128i higher = _mm_cmpgt_epi32(link, _mm_set1_epi32(base + 3)),
-                          is_hull = _mm_cmpeq_epi32(link, hull);
-            const __m128i right = _mm_or_si128(_mm_and_si128(marked, lower), _mm_or_si128(higher, is_hull));
+            const __m128i lower = _mm_cmplt_epi32(link, _mm_set1_epi32(base)), is_hull = _mm_cmpeq_epi32(link, hull);
+            const __m128i higher = _mm_cmpgt_epi32(link, _mm_set1_epi32(base + 3));
+            const __m128i right =
+                _mm_or_si128(_mm_and_si128(marked, lower), _mm_andnot_si128(marked, _mm_or_si128(higher, is_hull)));
             _mm_storeu_si128((__m128i *)(void *)(links + base), link);
             wrong = _mm_or_si128(wrong, _mm_andnot_si128(right, two));
             found = _mm_sub_epi32(found, marked);
@@ -20766,7 +20770,7 @@ PARADT__INLINE paradt_status paradt__linker_settle(paradt__linker *linker, size_
             links[i] = link;
             linker->found += value < PARADT__HULL;
             open |= link == PARADT__HULL;
-            fits &= link >= base + corners || (value <= PARADT__HULL && link < base);
+            fits &= value < PARADT__HULL ? link < base : link >= base + corners || link == PARADT__HULL;
         }
     }
     if (!fits) return PARADT_ERROR_INVALID;
@@ -20807,7 +20811,7 @@ PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, const pa
 // Makes handles of the links of all cells.
 PARADT__INLINE paradt_status paradt__linker_all(paradt__linker *linker, paradt__memory *memory, paradt__meter *meter,
                                                 int corners) {
-    size_t blocks = (linker->mesh.count + PARADT__GIVEN_BLOCK - 1) / PARADT__GIVEN_BLOCK, block;
+    size_t blocks = paradt__linker_blocks(linker), block;
     paradt_status status = PARADT_OK;
     for (block = 0; block <= blocks && !status; block++) {
         if (block % PARADT__LINKER_PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
@@ -21924,8 +21928,9 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
     const paradt__scene *scene = &r->mend.flipper.build.scene;
     paradt__linker *linker = &r->linker;
     paradt_status status = PARADT_OK;
-    size_t blocks = (scene->mesh.count + PARADT__GIVEN_BLOCK - 1) / PARADT__GIVEN_BLOCK, block;
+    size_t blocks, block;
     paradt__linker_begin(linker, &scene->mesh, r->set.count, r->facets);
+    blocks = paradt__linker_blocks(linker);
     for (block = 0; block <= blocks && !status; block++) {
         if (block % PARADT__LINKER_PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
         if (block < blocks && !paradt__linker_list(linker, block, scene, corners)) return PARADT_ERROR_INVALID;

@@ -248,16 +248,23 @@ static void links_and_rows_that_do_not_fit_are_invalid(void **state) {
     (void)state;
     for (int d = 2; d <= 4; d++) {
         sample s = family_make(&families[family_named("uniform")], NULL, d, 16, 4);
-        paradt_triangulation t = triangulation_of(&s, NULL);
+        paradt_options facets = {0};
+        facets.flags = PARADT_FACETS;
+        paradt_triangulation t = triangulation_of(&s, NULL), half = triangulation_of(&s, &facets);
         paradt_points points = points_of(&s);
         const size_t corners = (size_t)d + 1, count = t.cell_count * corners;
         for (size_t at = 0; at < count; at++) {
             const paradt_index own = (paradt_index)(at / corners), other = t.neighbors[at];
             const paradt_index wrong[] = {own, (own + 1) % (paradt_index)t.cell_count, 0, -1, -2 - (paradt_index)at, -2, -3,
-                                          -2 - (paradt_index)corners * other};
+                                          -2 - (paradt_index)corners * other, INT32_MIN, INT32_MIN + 100000};
             for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
                 if (wrong[i] != other)
                     expect_invalid(&s, 0, &at, &wrong[i], 1);
+            const paradt_index handle = (paradt_index)at, next = own * (paradt_index)corners + (handle + 1) % (paradt_index)corners;
+            const paradt_index wrong_facets[] = {handle, next, 0, -1, -2, -2 - handle, -2 - half.neighbors[at], INT32_MIN};
+            for (size_t i = 0; i < sizeof wrong_facets / sizeof wrong_facets[0]; i++)
+                if (wrong_facets[i] != half.neighbors[at])
+                    expect_invalid(&s, 1, &at, &wrong_facets[i], 1);
             for (size_t mirror = 0; mirror < at && other >= 0 && other < own; mirror++) {
                 const size_t places[] = {mirror, at};
                 const paradt_index values[] = {-1, -2 - (paradt_index)mirror};
@@ -296,6 +303,7 @@ static void links_and_rows_that_do_not_fit_are_invalid(void **state) {
             paradt_free(&merged);
         }
         paradt_free(&t);
+        paradt_free(&half);
         sample_free(&s);
     }
 }
