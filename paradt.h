@@ -1629,11 +1629,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  475   those that a hull has to look at
 //     hull faces                   375   planes, extreme points, measures
 //     hull                         304   the entry
-//     given triangulation          342   the caller's cells and points as a mesh and a set
+//     given triangulation          343   the caller's cells and points as a mesh and a set
 //     spheres of cells in space    167   which cells and facets are still right, four cells together
 //     mending by flips             313   what has moved, by flips
 //     mending by holes             440   what flips leave, by small triangulations
-//     repair                       541   the entry of repairing
+//     repair                       542   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               287   a vertex near any place
@@ -20849,8 +20849,9 @@ PARADT__OPTIONAL paradt_status paradt__given_mesh(paradt__mesh *mesh, const para
         memcpy(mesh->links + i * corners, t->neighbors + i * corners, bytes);
     }
     paradt__linker_begin(&linker, mesh, t->point_count, facets);
-    status = corners == 4 ? paradt__linker_all(&linker, memory, meter, 4)
-                          : paradt__linker_all(&linker, memory, meter, mesh->corners);
+    status = corners == 3   ? paradt__linker_all(&linker, memory, meter, 3)
+             : corners == 4 ? paradt__linker_all(&linker, memory, meter, 4)
+                            : paradt__linker_all(&linker, memory, meter, mesh->corners);
     if (!status) status = paradt__given_ghosts(mesh, &linker.hull, memory);
     paradt__list_free(&linker.hull, memory);
     return status;
@@ -21947,6 +21948,7 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
 PARADT__HOT paradt_status paradt__repair_survey(paradt__repair *r) {
     int corners = r->mend.flipper.build.scene.mesh.corners;
     if (PARADT_MAX_DIM >= 3 && r->mend.look) return paradt__repair_survey_any(r, 4, 1);
+    if (corners == 3) return paradt__repair_survey_any(r, 3, 0);
     return paradt__repair_survey_any(r, corners, 0);
 }
 
