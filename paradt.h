@@ -1655,7 +1655,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     diagram                      280   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             156   centres of cells, and their errors
-//     Voronoi faces                493   faces and volumes that nothing clips
+//     Voronoi faces                496   faces and volumes that nothing clips
 //     planes of a cell             326   where planes meet, in integers
 //     clipped cell                 553   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   261   volumes, areas, centroids
@@ -20692,8 +20692,8 @@ PARADT__INLINE int paradt__linker_list(paradt__linker *linker, size_t block, con
 PARADT__INLINE int paradt__linker_tie(paradt__linker *linker, size_t block, const paradt__scene *scene, int corners) {
     const paradt__mesh mesh = linker->mesh;
     const paradt_index *first = linker->first[block % 2];
-    const paradt_index end = (paradt_index)mesh.count;
-    paradt_index *across = linker->across[block % 2] - block * PARADT__GIVEN_BLOCK * (size_t)corners;
+    const paradt_index end = (paradt_index)mesh.count, begin = (paradt_index)(block * PARADT__GIVEN_BLOCK) * corners;
+    paradt_index *across = linker->across[block % 2];
     size_t at, count = linker->count[block % 2];
     int j;
     for (at = 0; at < count; at++) {
@@ -20714,7 +20714,7 @@ PARADT__INLINE int paradt__linker_tie(paradt__linker *linker, size_t block, cons
         mesh.links[handle] = mirror;
         mesh.links[mirror] = -2 - handle;
         if (!scene) continue;
-        across[handle] = apex;
+        across[handle - begin] = apex;
         PARADT__FETCH(scene->records, (size_t)apex * scene->width);
     }
     linker->tied += count;
@@ -29092,6 +29092,7 @@ PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const parad
                                        const double *where, int d) {
     const paradt__diagram *g = facing->g;
     const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
+    const double lost = paradt__power(-1015); // more than what underflow takes from a square, or from the measure
     double square = 0, size, part;
     int side, j;
     PARADT__UNROLL
@@ -29105,9 +29106,11 @@ PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const parad
             offset = square + (side ? to[d] - from[d] : from[d] - to[d]);
             size = square + (paradt__abs(from[d]) + paradt__abs(to[d]));
         }
-        volume = offset * measure * part;
+        volume = offset * part * measure; // in this order, as offset and measure may be too small for their product
         sums[0] += volume;
-        sums[1] += (paradt__abs(offset) * error + 32 * PARADT__ROUNDOFF * size * paradt__abs(measure)) * part * 1.01;
+        sums[1] += (paradt__abs(offset) * part * (error + lost) +
+                    (32 * PARADT__ROUNDOFF * size + lost) * part * paradt__abs(measure)) *
+                   1.01;
         if (tally->width == 2) continue;
         for (j = 0; j < d; j++) sums[2 + j] += volume * ((double)d / (d + 1)) * (where[j] - (side ? to[j] : from[j]));
     }

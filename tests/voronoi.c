@@ -1264,6 +1264,42 @@ static void faces_between_points_that_almost_coincide_have_areas(void **state) {
     }
 }
 
+// Points are far from all others: beside their distance the others' are so small that products of a few of them underflow. The
+// cells of the others in a box around them have the volumes that they have without the far points.
+static void volumes_do_not_suffer_from_points_far_away(void **state) {
+    static const double far[] = {1e20, 1e60, 1e70, 1e77, 1e80, 1e120, 1e140};
+    enum { NEAR = 40 };
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++)
+        for (int weighted = 0; weighted < 2; weighted++)
+            for (size_t i = 0; i < sizeof far / sizeof far[0]; i++) {
+                static const double boxes[2][6] = {{-2, -2, 3, 3}, {-2, -2, -2, 3, 3, 3}};
+                sample s = sample_make("far", dim, NEAR + 3);
+                uint64_t seed = i + 1;
+                double weights[NEAR + 3];
+                paradt_voronoi_request request = {0};
+                request.outputs = PARADT_VORONOI_VOLUMES;
+                request.box = boxes[dim - 2];
+                for (int j = 0; j < (NEAR + 3) * dim; j++)
+                    s.x[j] = (j / dim < NEAR ? 1.0 : far[i]) * (random_unit(&seed) - 0.5);
+                for (int j = 0; j < NEAR + 3; j++)
+                    weights[j] = 0.01 * random_unit(&seed);
+                s.w = weighted ? weights : NULL;
+                paradt_voronoi with = diagram_of(&s, &request, NULL), without;
+                s.count = NEAR;
+                without = diagram_of(&s, &request, NULL);
+                for (int j = 0; j < NEAR; j++) {
+                    double error = with.volume_errors[j] + without.volume_errors[j];
+                    assert_true(fabs(with.volumes[j] - without.volumes[j]) <= error);
+                    assert_true(error < 1e-9 || far[i] > 1e100); // beyond that what underflow may take is a part of the volume
+                }
+                paradt_voronoi_free(&with);
+                paradt_voronoi_free(&without);
+                s.w = NULL;
+                sample_free(&s);
+            }
+}
+
 int main(void) {
     const struct CMUnitTest races[] = {cmocka_unit_test(threads_give_the_same_bits)};
     const struct CMUnitTest tests[] = {
@@ -1278,6 +1314,7 @@ int main(void) {
         cmocka_unit_test(threads_give_the_same_bits),
         cmocka_unit_test(every_allocation_may_fail),
         cmocka_unit_test(faces_between_points_that_almost_coincide_have_areas),
+        cmocka_unit_test(volumes_do_not_suffer_from_points_far_away),
         cmocka_unit_test(every_call_of_progress_may_cancel),
         cmocka_unit_test(wrong_arguments_are_refused),
         cmocka_unit_test(centroids_are_there_up_to_three_dimensions),
