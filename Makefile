@@ -207,7 +207,7 @@ test-list:
 comma := ,
 
 check: QUICK := 1
-check: test ## Run the core of the tests, between two changes (two minutes)
+check: test ## Run the core of the tests, between two changes (three minutes)
 
 test: ## Run all tests, after installing what they need (apt-get, as root or by sudo) or saying what to install
 	@mkdir -p $(T)
