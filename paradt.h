@@ -1629,11 +1629,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  475   those that a hull has to look at
 //     hull faces                   375   planes, extreme points, measures
 //     hull                         304   the entry
-//     given triangulation          343   the caller's cells and points as a mesh and a set
-//     spheres of cells in space    167   which cells and facets are still right, four cells together
+//     given triangulation          353   the caller's cells and points as a mesh and a set
+//     spheres of cells in space    162   which cells and facets are still right, four cells together
 //     mending by flips             313   what has moved, by flips
 //     mending by holes             440   what flips leave, by small triangulations
-//     repair                       542   the entry of repairing
+//     repair                       537   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               287   a vertex near any place
@@ -1655,7 +1655,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     diagram                      280   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                152   points and cells in the order of space
 //     Voronoi vertices             156   centres of cells, and their errors
-//     Voronoi faces                496   faces and volumes that nothing clips
+//     Voronoi faces                499   faces and volumes that nothing clips
 //     planes of a cell             326   where planes meet, in integers
 //     clipped cell                 553   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   261   volumes, areas, centroids
@@ -20606,10 +20606,7 @@ PARADT__INLINE int paradt__given_place(const paradt_index *row, paradt_index ver
 // How the links of cells become handles: in blocks, each of which is listed, then tied, then settled. A facet is tied
 // from the first of its cells, whose own link becomes a handle at once. That in the later cell becomes -2 - handle
 // until that cell is settled, so that no value of the caller's is taken for one.
-enum {
-    PARADT__GIVEN_BLOCK = 32,  // cells
-    PARADT__LINKER_PACE = 512, // blocks between two looks at whether the call is cancelled
-};
+enum { PARADT__GIVEN_BLOCK = 32 }; // cells
 
 typedef struct paradt__linker {
     paradt__mesh mesh; // a copy, which nothing that is written can change
@@ -20777,6 +20774,24 @@ PARADT__INLINE paradt_status paradt__linker_settle(paradt__linker *linker, size_
     return open ? paradt__linker_open(linker, begin, end, memory) : PARADT_OK;
 }
 
+// Lists a block, if there is one of that number, and ties and settles the block before it, if there is one.
+//   scene  whose records are fetched; or NULL
+PARADT__INLINE paradt_status paradt__linker_step(paradt__linker *linker, size_t block, const paradt__scene *scene,
+                                                 paradt__memory *memory, paradt__meter *meter, int corners) {
+    enum { PACE = 512 }; // blocks between two looks at whether the call is cancelled
+    if (block % PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
+    if (block < paradt__linker_blocks(linker) && !paradt__linker_list(linker, block, scene, corners))
+        return PARADT_ERROR_INVALID;
+    if (!block) return PARADT_OK;
+    if (!paradt__linker_tie(linker, block - 1, scene, corners)) return PARADT_ERROR_INVALID;
+    return paradt__linker_settle(linker, block - 1, memory, corners);
+}
+
+// Are all links that were found to be handles of this linker's making?
+PARADT__INLINE paradt_status paradt__linker_finish(const paradt__linker *linker) {
+    return linker->tied == linker->found ? PARADT_OK : PARADT_ERROR_INVALID;
+}
+
 // Makes the ghosts of a mesh of cells that are linked, for which there is room.
 //   hull  handles of the hull facets
 PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, const paradt__list *hull,
@@ -20811,16 +20826,11 @@ PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, const pa
 // Makes handles of the links of all cells.
 PARADT__INLINE paradt_status paradt__linker_all(paradt__linker *linker, paradt__memory *memory, paradt__meter *meter,
                                                 int corners) {
-    size_t blocks = paradt__linker_blocks(linker), block;
     paradt_status status = PARADT_OK;
-    for (block = 0; block <= blocks && !status; block++) {
-        if (block % PARADT__LINKER_PACE == 0 && paradt__meter_cancels(meter)) return PARADT_ERROR_CANCELLED;
-        if (block < blocks && !paradt__linker_list(linker, block, NULL, corners)) return PARADT_ERROR_INVALID;
-        if (!block) continue;
-        if (!paradt__linker_tie(linker, block - 1, NULL, corners)) return PARADT_ERROR_INVALID;
-        status = paradt__linker_settle(linker, block - 1, memory, corners);
-    }
-    return status || linker->tied == linker->found ? status : PARADT_ERROR_INVALID;
+    size_t block;
+    for (block = 0; block <= paradt__linker_blocks(linker) && !status; block++)
+        status = paradt__linker_step(linker, block, NULL, memory, meter, corners);
+    return status ? status : paradt__linker_finish(linker);
 }
 
 // Makes a closed mesh, with arrays of its own and without marks, of a triangulation of dimension 1 at least that has
@@ -20938,8 +20948,8 @@ PARADT__INLINE void paradt__lanes_across(paradt__lanes *lanes, const paradt__ins
     }
 }
 
-PARADT__INLINE unsigned paradt__lanes_look(const paradt__insertion *build, const paradt_index *bases,
-                                           const paradt_index *asked) {
+static unsigned paradt__look_plain(const paradt__insertion *build, const paradt_index *bases,
+                                   const paradt_index *asked) {
     const paradt__frame *frame = &build->kept->frame;
     paradt__lanes l;
     unsigned found = 0;
@@ -20981,11 +20991,6 @@ PARADT__INLINE unsigned paradt__lanes_look(const paradt__insertion *build, const
         for (i = 0; i < 4; i++) found |= (unsigned)(l.power[i][lane] < 0.0) << (4 + 4 * lane + i);
     }
     return found;
-}
-
-static unsigned paradt__look_plain(const paradt__insertion *build, const paradt_index *bases,
-                                   const paradt_index *asked) {
-    return paradt__lanes_look(build, bases, asked);
 }
 
 #if defined(PARADT__KEPT_AVX2)
@@ -21929,20 +21934,15 @@ PARADT__INLINE paradt_status paradt__repair_survey_any(paradt__repair *r, int co
     const paradt__scene *scene = &r->mend.flipper.build.scene;
     paradt__linker *linker = &r->linker;
     paradt_status status = PARADT_OK;
-    size_t blocks, block;
+    size_t block;
     paradt__linker_begin(linker, &scene->mesh, r->set.count, r->facets);
-    blocks = paradt__linker_blocks(linker);
-    for (block = 0; block <= blocks && !status; block++) {
-        if (block % PARADT__LINKER_PACE == 0 && paradt__meter_cancels(&r->meter)) return PARADT_ERROR_CANCELLED;
-        if (block < blocks && !paradt__linker_list(linker, block, scene, corners)) return PARADT_ERROR_INVALID;
-        if (!block) continue;
-        if (!paradt__linker_tie(linker, block - 1, scene, corners)) return PARADT_ERROR_INVALID;
-        status = paradt__linker_settle(linker, block - 1, &r->memory, corners);
-        if (!status)
+    for (block = 0; block <= paradt__linker_blocks(linker) && !status; block++) {
+        status = paradt__linker_step(linker, block, scene, &r->memory, &r->meter, corners);
+        if (!status && block)
             status = paradt__repair_look(r, (block - 1) * PARADT__GIVEN_BLOCK, paradt__linker_end(linker, block - 1),
                                          linker->across[(block - 1) % 2], spheres);
     }
-    return status || linker->tied == linker->found ? status : PARADT_ERROR_INVALID;
+    return status ? status : paradt__linker_finish(linker);
 }
 
 PARADT__HOT paradt_status paradt__repair_survey(paradt__repair *r) {
@@ -28873,7 +28873,9 @@ PARADT__INLINE int paradt__centres_differ(const double *a, const double *b, int 
 // Errors. Let the vertices of a polygon with m corners err by at most e in each coordinate, and let s be the largest
 // coordinate of a difference to the first of them. A difference errs by 2 e + u s, u the roundoff, so a coordinate of
 // the cross product of two of them by 4 s (2 e + u s) + 2 (2 e + u s)^2 + 6 u s^2, and the sum of m - 2 of them by m -
-// 2 times that and m u times its size, 2 s^2 for each. What follows multiplies these.
+// 2 times that and m u times its size, 2 s^2 for each. What follows multiplies these. Underflow takes less than 2^-1022
+// from a product, also where subnormal numbers are flushed to 0: `tiny` is more than that for areas, and `lost` for the
+// few products of which a face's volume is made, and for what becomes of `tiny` in them.
 //
 // The cells of the triangulation are divided into chunks, whose number depends on how many they are alone, and sums of
 // chunks are added in order: so the result does not depend on the number of tasks.
@@ -29092,7 +29094,7 @@ PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const parad
                                        const double *where, int d) {
     const paradt__diagram *g = facing->g;
     const double *from = paradt__diagram_point(g, p), *to = paradt__diagram_point(g, q);
-    const double lost = paradt__power(-1015); // more than what underflow takes from a square, or from the measure
+    const double lost = paradt__power(-1015);
     double square = 0, size, part;
     int side, j;
     PARADT__UNROLL
@@ -29110,7 +29112,8 @@ PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const parad
         sums[0] += volume;
         sums[1] += (paradt__abs(offset) * part * (error + lost) +
                     (32 * PARADT__ROUNDOFF * size + lost) * part * paradt__abs(measure)) *
-                   1.01;
+                       1.01 +
+                   lost;
         if (tally->width == 2) continue;
         for (j = 0; j < d; j++) sums[2 + j] += volume * ((double)d / (d + 1)) * (where[j] - (side ? to[j] : from[j]));
     }
