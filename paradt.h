@@ -6286,6 +6286,13 @@ PARADT__INLINE int paradt__same_facet(const paradt_index *vertices, paradt_index
 
 // --- the star of a vertex
 
+// Fetches the row of a place ahead of its use, of vertices and links.
+PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *links, size_t row,
+                                      size_t corners) {
+    PARADT__FETCH(vertices, row * corners);
+    PARADT__FETCH(links, row * corners);
+}
+
 #if !defined(PARADT__STAR_CELLS) // tests make it smaller
 #define PARADT__STAR_CELLS 256   // that a star holds at most; some more are found with the last
 #endif
@@ -6322,19 +6329,14 @@ PARADT__OPTIONAL void paradt__star_of(const paradt__mesh *mesh, paradt_index fir
         base = star->handles[next] - star->handles[next] % corners;
         for (i = base; i < base + corners; i++) {
             PARADT_ASSERT(mesh->links[i] >= 0);
-            if (mesh->vertices[i] != vertex) paradt__star_add(star, mesh->links[i], mesh->links[i] / corners);
+            if (mesh->vertices[i] == vertex) continue;
+            paradt__star_add(star, mesh->links[i], mesh->links[i] / corners);
+            paradt__fetch_row(mesh->vertices, mesh->links, (size_t)(mesh->links[i] / corners), (size_t)corners);
         }
     }
 }
 
 // --- compacting and closing
-
-// Fetches the row of a place ahead of its use, of vertices and links.
-PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *links, size_t row,
-                                      size_t corners) {
-    PARADT__FETCH(vertices, row * corners);
-    PARADT__FETCH(links, row * corners);
-}
 
 // Passes over all cells ask for rows so far ahead: processors do that themselves, but only within a page.
 enum { PARADT__ROWS_AHEAD = 128 };
@@ -23110,24 +23112,27 @@ PARADT__OPTIONAL paradt_index paradt__place_in(paradt__view *view, paradt_index 
 // >>starting cells
 //
 // Where to begin a search: a vertex near any place. Space is divided into buckets, each of which names a vertex in it
-// or, if it is empty, near it. A grid of buckets lies over the box of the points, and over each bucket with many points
-// another grid, and so on, so that clusters are divided as finely as they need it. A bucket is an index, of a vertex or
-// of the grid in it: about as many are there as half the points. Buckets are as long as wide, as far as halving allows:
-// the bits of a grid's buckets are dealt out among the axes, in any dimension.
+// or, if it has none, another bucket near it. A grid of buckets lies over the box of the points, and over each bucket
+// with many points another grid, and so on, so that clusters are divided as finely as they need it. A bucket is an
+// index, of a vertex, a bucket or the grid in it: about as many are there as half the points. Buckets are as long as
+// wide, as far as halving allows: the bits of a grid's buckets are dealt out among the axes, in any dimension.
 //
-// A bucket may be told of another vertex at any time. It is a hint and no more: whoever removes a vertex has the bucket
-// name another. After many more points have come the grids are to be made anew. Places outside of the box have the
-// buckets at its border.
-// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_centre, paradt__starts_put, paradt__starts_replace,
-// paradt__starts_fetch, paradt__starts_free.
+// A bucket may be told of another vertex in it at any time, and a vertex is named by its own bucket only. Whoever takes
+// it out of there says which are its neighbours: the bucket then names one of them that lies in it, or else the bucket
+// of one. So no name outlives its vertex, however many come and go; still it is a hint and no more, as a change that is
+// undone leaves what it has named. After many more points have come the grids are to be made anew. Places outside of
+// the box have the buckets at its border.
+// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_centre, paradt__starts_put, paradt__starts_leave,
+// paradt__starts_same, paradt__starts_fetch, paradt__starts_free.
 
 enum {
     PARADT__START_POINTS = 2,  // a bucket, on average
     PARADT__START_CROWD = 24,  // more points in a bucket get a grid of their own,
     PARADT__START_LEVELS = 10, // ... unless it is one of so many already, one in the other
     PARADT__START_BITS = 30,   // of a grid, at most
-    PARADT__START_NOBODY = -1, // a bucket without a vertex; below that are those that have a grid
-    PARADT__START_GRID = -2    // less the number of the grid
+    PARADT__START_HOPS = 16,   // so many buckets that name another are followed
+    PARADT__START_NOBODY = -1, // a bucket without a vertex; below that are those that have a grid,
+    PARADT__START_GRID = -2    // less the number of the grid, and below those, in the same way, that name a bucket
 };
 
 // The buckets of a grid: 2^bits of each axis
@@ -23155,6 +23160,11 @@ PARADT__OPTIONAL void paradt__starts_free(paradt__starts *starts, paradt__memory
     memset(starts, 0, sizeof *starts);
 }
 
+// Does what is in a bucket say that it has a grid?
+PARADT__INLINE int paradt__starts_is_grid(const paradt__starts *starts, paradt_index in_bucket) {
+    return in_bucket <= PARADT__START_GRID && (size_t)(PARADT__START_GRID - in_bucket) < starts->grid_count;
+}
+
 // The bucket of a place, counted from the first. There is a grid.
 PARADT__INLINE size_t paradt__starts_bucket(const paradt__starts *starts, const double *x, int dim) {
     // the largest number below 1, so that no product with a power of two is rounded up to it
@@ -23176,7 +23186,7 @@ PARADT__INLINE size_t paradt__starts_bucket(const paradt__starts *starts, const 
             at = at << grid->bits[axis] | whole;
         }
         found = starts->buckets[grid->first + at];
-        if (found > PARADT__START_GRID) return grid->first + at;
+        if (!paradt__starts_is_grid(starts, found)) return grid->first + at;
         grid = starts->grids + (PARADT__START_GRID - found);
     }
 }
@@ -23187,12 +23197,17 @@ PARADT__INLINE size_t paradt__starts_bucket_of(const paradt__starts *starts, con
     return paradt__starts_bucket(starts, x, starts->dim);
 }
 
-// A vertex near a place, or -1: no points were given. *bucket: tells places apart that are not near each other
+// A vertex near a place, or -1: none is named. *bucket: tells places apart that are not near each other
 PARADT__INLINE paradt_index paradt__starts_at(const paradt__starts *starts, const double *x, size_t *bucket) {
+    paradt_index found;
+    int hops;
     *bucket = 0;
     if (!starts->grid_count) return -1;
     *bucket = paradt__starts_bucket_of(starts, x);
-    return starts->buckets[*bucket];
+    found = starts->buckets[*bucket];
+    for (hops = 0; found <= PARADT__START_GRID && hops < PARADT__START_HOPS; hops++)
+        found = starts->buckets[(size_t)(PARADT__START_GRID - found) - starts->grid_count];
+    return found < 0 ? -1 : found;
 }
 
 // Names a vertex at x from now on.
@@ -23200,16 +23215,37 @@ PARADT__OPTIONAL void paradt__starts_put(paradt__starts *starts, const double *x
     if (starts->grid_count) starts->buckets[paradt__starts_bucket_of(starts, x)] = vertex;
 }
 
+// Are two places in one bucket?
+PARADT__INLINE int paradt__starts_same(const paradt__starts *starts, const double *x, const double *y) {
+    return !starts->grid_count || paradt__starts_bucket_of(starts, x) == paradt__starts_bucket_of(starts, y);
+}
+
 // Fetches what the bucket of a place names ahead of its use.
 PARADT__INLINE void paradt__starts_fetch(const paradt__starts *starts, const double *x) {
     if (starts->grid_count) PARADT__PREFETCH(starts->buckets + paradt__starts_bucket_of(starts, x));
 }
 
-// Names another instead of a vertex at x that goes, if it is named there.
-PARADT__OPTIONAL void paradt__starts_replace(paradt__starts *starts, const double *x, paradt_index vertex,
-                                             paradt_index other) {
-    size_t bucket;
-    if (paradt__starts_at(starts, x, &bucket) == vertex && starts->grid_count) starts->buckets[bucket] = other;
+// What a bucket says that names another. All grids are there.
+PARADT__INLINE paradt_index paradt__starts_other(const paradt__starts *starts, size_t bucket) {
+    return PARADT__START_GRID - (paradt_index)starts->grid_count - (paradt_index)bucket;
+}
+
+// Takes the name of a vertex at x that goes out of its bucket, if it is there. others: its neighbours; records: as
+// those of paradt__start_points
+PARADT__OPTIONAL void paradt__starts_leave(paradt__starts *starts, const double *x, paradt_index vertex,
+                                           const paradt_index *others, size_t count, const double *records,
+                                           size_t width) {
+    size_t bucket, other = 0, i;
+    if (!starts->grid_count) return;
+    bucket = paradt__starts_bucket_of(starts, x);
+    if (starts->buckets[bucket] != vertex) return;
+    for (i = count; i-- > 0;) {
+        other = paradt__starts_bucket_of(starts, records + (size_t)others[i] * width);
+        if (other == bucket) break;
+    }
+    i = i < count ? i : 0;
+    if (starts->buckets[other] < 0) starts->buckets[other] = others[i];
+    starts->buckets[bucket] = other == bucket ? others[i] : paradt__starts_other(starts, other);
 }
 
 // Fills the corner of bucket i of a grid, as a part of the box; centre: 0.5 for the bucket's centre, else 0
@@ -23235,6 +23271,11 @@ PARADT__OPTIONAL void paradt__starts_centre(const paradt__starts *starts, size_t
         centre[axis] = starts->low[axis] + starts->side[axis] * centre[axis] + starts->side[axis] * centre[axis];
 }
 
+// Do so many more buckets have a number that a bucket can say? Those of grids take part in them, too.
+static int paradt__starts_fit(const paradt__starts *starts, size_t more) {
+    return starts->bucket_count + starts->grid_count + more <= PARADT__INDEXED / 2 + 2;
+}
+
 // Adds a grid for so many points, without vertices. outer: the number of the grid in bucket i of which it is; -1: none
 static paradt_status paradt__starts_add(paradt__starts *starts, size_t points, ptrdiff_t outer, size_t i,
                                         paradt__memory *memory) {
@@ -23249,7 +23290,7 @@ static paradt_status paradt__starts_add(paradt__starts *starts, size_t points, p
             grid.above[axis] = (uint16_t)(starts->grids[outer].above[axis] + starts->grids[outer].bits[axis]);
         side[axis] = starts->side[axis] * paradt__power(-grid.above[axis]);
     }
-    for (; bits > 0 && grid.all < PARADT__START_BITS; bits--) {
+    for (; bits > 0 && grid.all < PARADT__START_BITS && paradt__starts_fit(starts, (size_t)2 << grid.all); bits--) {
         for (axis = 1, longest = 0; axis < starts->dim; axis++) longest = side[axis] > side[longest] ? axis : longest;
         if (!(side[longest] > 0)) break;
         side[longest] *= 0.5;
@@ -23276,13 +23317,15 @@ static paradt_status paradt__starts_add(paradt__starts *starts, size_t points, p
 // The points that buckets are to name
 typedef struct paradt__start_points {
     const double *records;
-    size_t width, count;
-    const paradt_index *order; // [count] their positions; NULL: 0, step, 2 step, ...
-    size_t step;
+    size_t width, count, step; // records 0, step, 2 step, ... up to the last of `count`
+    const paradt_index *owner; // negative where a record is of no point; NULL: all are of points
 } paradt__start_points;
 
-PARADT__INLINE paradt_index paradt__start_point(const paradt__start_points *points, size_t i) {
-    return points->order ? points->order[i] : (paradt_index)(i * points->step);
+// Is there one more point? Sets *i to the first from there on, and *x to its record.
+PARADT__INLINE int paradt__start_point(const paradt__start_points *points, size_t *i, const double **x) {
+    while (points->owner && *i < points->count && points->owner[*i] < 0) *i += points->step;
+    *x = points->records + *i * points->width;
+    return *i < points->count;
 }
 
 // Gives each crowded bucket of the grids from `grid` on a grid of its own.
@@ -23296,7 +23339,7 @@ static paradt_status paradt__starts_divide(paradt__starts *starts, size_t grid, 
         if (!starts->grids[grid].all) continue; // it divides nothing
         for (; bucket < last; bucket++) {
             paradt_status status;
-            if (crowds[bucket - from] <= PARADT__START_CROWD) continue;
+            if (crowds[bucket - from] <= PARADT__START_CROWD || !paradt__starts_fit(starts, 2)) continue;
             status = paradt__starts_add(starts, (size_t)crowds[bucket - from], (ptrdiff_t)grid,
                                         bucket - starts->grids[grid].first, memory);
             if (status) return status;
@@ -23310,7 +23353,8 @@ static paradt_status paradt__starts_divide(paradt__starts *starts, size_t grid, 
 static paradt_status paradt__starts_refine(paradt__starts *starts, const paradt__start_points *points,
                                            paradt__memory *memory, paradt__meter *meter) {
     size_t grid = 0, from, i;
-    paradt_status status = paradt__starts_add(starts, points->count, -1, 0, memory);
+    const double *x;
+    paradt_status status = paradt__starts_add(starts, (points->count - 1) / points->step + 1, -1, 0, memory);
     int level;
     for (level = 1; level <= PARADT__START_LEVELS && !status && grid < starts->grid_count; level++) {
         size_t before = starts->grid_count;
@@ -23319,9 +23363,8 @@ static paradt_status paradt__starts_refine(paradt__starts *starts, const paradt_
         crowds = (paradt_index *)paradt__alloc_filled(memory, starts->bucket_count - from, sizeof *crowds);
         if (!crowds) return PARADT_ERROR_MEMORY;
         memset(crowds, 0, (starts->bucket_count - from) * sizeof *crowds);
-        for (i = 0; i < points->count; i++) {
-            size_t point = (size_t)paradt__start_point(points, i);
-            size_t bucket = paradt__starts_bucket_of(starts, points->records + point * points->width);
+        for (i = 0; paradt__start_point(points, &i, &x); i += points->step) {
+            size_t bucket = paradt__starts_bucket_of(starts, x);
             if (i % PARADT__PACE == 0 && meter && paradt__meter_cancels(meter)) {
                 status = PARADT_ERROR_CANCELLED;
                 break;
@@ -23335,16 +23378,18 @@ static paradt_status paradt__starts_refine(paradt__starts *starts, const paradt_
     return status;
 }
 
-// A vertex that a bucket names, or one in the grid over it, which is filled already
-static paradt_index paradt__starts_any(const paradt__starts *starts, size_t bucket) {
-    while (starts->buckets[bucket] <= PARADT__START_GRID) {
-        const paradt__start_grid *grid = starts->grids + (PARADT__START_GRID - starts->buckets[bucket]);
+// What an empty bucket is to say of a bucket beside it, or of one in the grid over that, which is filled already.
+static paradt_index paradt__starts_beside(const paradt__starts *starts, size_t bucket) {
+    paradt_index found = starts->buckets[bucket];
+    while (paradt__starts_is_grid(starts, found)) {
+        const paradt__start_grid *grid = starts->grids + (PARADT__START_GRID - found);
         bucket = grid->first + ((size_t)1 << grid->all) / 2;
+        found = starts->buckets[bucket];
     }
-    return starts->buckets[bucket];
+    return found < 0 ? found : paradt__starts_other(starts, bucket);
 }
 
-// Has empty buckets of a grid name a vertex of the next one that is not empty along an axis, axis after axis.
+// Has empty buckets of a grid name the next one along an axis that is not empty, axis after axis.
 static void paradt__starts_fill(paradt__starts *starts, const paradt__start_grid *grid) {
     size_t all = (size_t)1 << grid->all, i;
     paradt_index *buckets = starts->buckets + grid->first;
@@ -23353,11 +23398,11 @@ static void paradt__starts_fill(paradt__starts *starts, const paradt__start_grid
         size_t step = (size_t)1 << shift, last = (((size_t)1 << grid->bits[axis]) - 1) << shift;
         for (i = 0; i < all; i++) {
             if (buckets[i] == PARADT__START_NOBODY && i & last)
-                buckets[i] = paradt__starts_any(starts, grid->first + i - step);
+                buckets[i] = paradt__starts_beside(starts, grid->first + i - step);
         }
         for (i = all; i-- > 0;) {
             if (buckets[i] == PARADT__START_NOBODY && (i & last) != last)
-                buckets[i] = paradt__starts_any(starts, grid->first + i + step);
+                buckets[i] = paradt__starts_beside(starts, grid->first + i + step);
         }
     }
 }
@@ -23368,15 +23413,16 @@ PARADT__OPTIONAL paradt_status paradt__starts_make(paradt__starts *starts, const
                                                    paradt__memory *memory, paradt__meter *meter) {
     double high[PARADT_MAX_DIM];
     paradt_status status;
-    size_t i;
+    const double *x;
+    size_t i = 0;
     int axis;
-    if (!points->count) return PARADT_OK;
+    if (!paradt__start_point(points, &i, &x)) return PARADT_OK;
     starts->dim = dim;
-    for (i = 0; i < points->count; i++) {
-        const double *x = points->records + (size_t)paradt__start_point(points, i) * points->width;
+    for (axis = 0; axis < dim; axis++) starts->low[axis] = high[axis] = x[axis];
+    for (; paradt__start_point(points, &i, &x); i += points->step) {
         for (axis = 0; axis < dim; axis++) {
-            if (!i || x[axis] < starts->low[axis]) starts->low[axis] = x[axis];
-            if (!i || x[axis] > high[axis]) high[axis] = x[axis];
+            if (x[axis] < starts->low[axis]) starts->low[axis] = x[axis];
+            if (x[axis] > high[axis]) high[axis] = x[axis];
         }
     }
     for (axis = 0; axis < dim; axis++) {
@@ -23385,10 +23431,7 @@ PARADT__OPTIONAL paradt_status paradt__starts_make(paradt__starts *starts, const
     }
     status = paradt__starts_refine(starts, points, memory, meter);
     if (status) return status;
-    for (i = 0; i < points->count; i++) {
-        paradt_index point = paradt__start_point(points, i);
-        paradt__starts_put(starts, points->records + (size_t)point * points->width, point);
-    }
+    for (i = 0; paradt__start_point(points, &i, &x); i += points->step) paradt__starts_put(starts, x, (paradt_index)i);
     for (i = starts->grid_count; i-- > 0;) paradt__starts_fill(starts, starts->grids + i);
     return PARADT_OK;
 }
@@ -23706,6 +23749,10 @@ PARADT__OPTIONAL paradt_index paradt__nearest_in(const paradt__view *view, parad
     while (best.power.vertex != vertex && scene->space.dim > 0) {
         vertex = best.power.vertex;
         paradt__star_of(mesh, best.cell, vertex, &star);
+        for (i = 0; i < star.count; i++) {
+            paradt_index v = mesh->vertices[star.handles[i]];
+            PARADT__FETCH(scene->records, (v < 0 ? 0 : (size_t)v) * scene->width);
+        }
         for (i = 0; i < star.count; i++) {
             paradt_index handle = star.handles[i];
             paradt__candidate_try(scene, x, mesh->vertices[handle], handle / mesh->corners, &best);
@@ -24407,7 +24454,7 @@ static void paradt__locating_centre(paradt_locator *locator, paradt__view *view,
     found = paradt__place_in(view, *place, centre, &inside);
     *place = found < 0 ? 0 : found;
     locator->cell_at[bucket] = *place;
-    if (locator->starts.buckets[bucket] >= 0)
+    if (!paradt__starts_is_grid(&locator->starts, locator->starts.buckets[bucket]))
         locator->starts.buckets[bucket] = paradt__locating_nearest(&view->scene, *place, centre);
 }
 
@@ -24441,7 +24488,7 @@ static paradt_status paradt__locating_help(paradt__locating *work) {
     paradt_locator *locator = work->locator;
     const paradt__set *set = &locator->set;
     const paradt__mesh *mesh = &locator->scene.mesh;
-    paradt__start_points points = {set->records, set->width, set->count, NULL, 1};
+    paradt__start_points points = {set->records, set->width, set->count, 1, NULL};
     paradt__relation cells;
     paradt_status status;
     size_t i;
@@ -26989,11 +27036,26 @@ static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index pos
     if (!status) status = paradt__living_prepare(d, f->count);
     if (status) return status;
     paradt__living_fill(d);
-    paradt__starts_replace(&d->starts, paradt__living_record(d, position), position, f->points.items[0]);
+    paradt__starts_leave(&d->starts, paradt__living_record(d, position), position, f->points.items, f->link_count,
+                         d->records, build->scene.width);
     d->now.vertices--;
     paradt__living_settle(d, position);
     paradt__living_start_at(d, paradt__mesh_cell(mesh, build->update.made[0]));
     return PARADT_OK;
+}
+
+// Takes the name of a place out of its bucket: for one in the place's cell.
+static void paradt__living_leave(paradt_dynamic *d, paradt_index position) {
+    const paradt__scene *scene = &d->build.scene;
+    const paradt_index *row = paradt__mesh_row(&scene->mesh, paradt__living_get(d, PARADT__CELL, position));
+    paradt_index others[PARADT_MAX_DIM + 1];
+    size_t count = 0;
+    int i;
+    for (i = 0; i < scene->mesh.corners; i++) {
+        if (row[i] >= 0 && row[i] != position) others[count++] = row[i];
+    }
+    paradt__starts_leave(&d->starts, paradt__living_record(d, position), position, others, count, d->records,
+                         scene->width);
 }
 
 // Takes a place out: it is no vertex then, nor hidden. What it is needs room in the log.
@@ -27003,6 +27065,7 @@ static paradt_status paradt__living_withdraw(paradt_dynamic *d, paradt_index pos
     status = paradt__living_log_room(d, 5);
     if (status) return status;
     paradt__living_start_at(d, paradt__living_get(d, PARADT__CELL, position));
+    paradt__living_leave(d, position);
     paradt__living_unhang(d, position);
     return PARADT_OK;
 }
@@ -27049,9 +27112,9 @@ static void paradt__living_make_starts(paradt_dynamic *d, size_t step) {
     paradt__starts_free(&d->starts, &d->memory);
     points.records = d->records;
     points.width = d->build.scene.width;
-    points.count = (d->now.positions - 1) / step + 1;
-    points.order = NULL;
+    points.count = d->now.positions;
     points.step = step;
+    points.owner = d->column[PARADT__OWNER];
     d->starts_for = (d->now.vertices - 1) / step + 1;
     if (paradt__starts_make(&d->starts, &points, d->ambient, &d->memory, NULL))
         paradt__starts_free(&d->starts, &d->memory);
@@ -27263,6 +27326,10 @@ static paradt_status paradt__living_slide(paradt_dynamic *d, paradt_index id, co
     if (status || !paradt__living_stays(d, record)) return status;
     for (at = 0; at < build->update.killed_count && build->kept; at++)
         paradt__kept_drop(build->kept, paradt__mesh_cell(&build->scene.mesh, build->update.killed[at]));
+    if (!paradt__starts_same(&d->starts, paradt__living_record(d, position), record)) {
+        paradt__living_leave(d, position);
+        paradt__starts_put(&d->starts, record, position);
+    }
     paradt__living_write(d, position, record);
     *done = 1;
     return PARADT_OK;
@@ -27458,8 +27525,7 @@ static paradt_status paradt__living_find_hidden(paradt_dynamic *d) {
 static paradt_status paradt__living_complete(paradt_dynamic *d) {
     enum {
         KEPT_FOR = 512, // points: a small table of spheres, as most of them are wanted once
-        SPARSE =
-            16 // vertices for one that searches start at: a hundredth of the time here. Insertions make more of them
+        SPARSE = 16     // vertices for one that searches start at: a hundredth of the time here; insertions make more
     };
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t hull;

@@ -1,4 +1,5 @@
 // Insertion: stars of all sizes; in two and three dimensions also the numbers of their vertices, and the errors of powers.
+// Living sets: where searches start.
 #define PARADT_STATIC // functions that are not called are not compiled
 #define PARADT_IMPLEMENTATION
 #include "harness.h"
@@ -566,6 +567,61 @@ static void powers_near_zero_are_told_from_zero(void **state) {
     }
 }
 
+// Does each bucket name a vertex in it, or a bucket that does, at some hops?
+static void check_starts(const paradt_dynamic *d) {
+    const paradt__starts *starts = &d->starts;
+    assert_true(starts->bucket_count > 100);
+    for (size_t i = 0; i < starts->bucket_count; i++) {
+        size_t bucket = i, hops = 0;
+        if (paradt__starts_is_grid(starts, starts->buckets[i])) continue;
+        while (starts->buckets[bucket] < 0) {
+            bucket = (size_t)(PARADT__START_GRID - starts->buckets[bucket]) - starts->grid_count;
+            assert_true(bucket < starts->bucket_count && ++hops < starts->bucket_count);
+        }
+        paradt_index vertex = starts->buckets[bucket];
+        assert_true((size_t)vertex < d->now.positions && d->column[PARADT__OWNER][vertex] >= 0);
+        assert_true(paradt__starts_bucket_of(starts, paradt__living_record(d, vertex)) == bucket);
+    }
+}
+
+// However many come and go. The first sample is in clusters, so that there are grids in buckets, and empty buckets.
+static void searches_start_at_vertices_that_are_there(void **state) {
+    enum { COUNT = 2000, OPERATIONS = 12000 };
+    static double x[3 * COUNT], weights[COUNT];
+    static paradt_index ids[COUNT];
+    uint64_t seed = 5;
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++)
+        for (int weighted = 0; weighted < 2; weighted++) {
+            paradt_points points = paradt_points_f64(x, COUNT, (size_t)dim);
+            paradt_dynamic *d;
+            for (int i = 0; i < COUNT; i++) {
+                weights[i] = 0.001 * random_unit(&seed);
+                for (int j = 0; j < dim; j++) x[i * dim + j] = i % 7 * 0.125 + (i % 3 ? 0.001 : 0.25) * random_unit(&seed);
+                ids[i] = i;
+            }
+            points.weights = weighted ? weights : NULL;
+            assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+            for (int k = 0; k < OPERATIONS; k++) {
+                int i = random_below(&seed, COUNT), all = k < OPERATIONS / 2;
+                double to[3];
+                for (int j = 0; j < dim; j++)
+                    to[j] = all ? 1.5 * random_unit(&seed) - 0.25 : x[i * dim + j] + 0.0001 * random_unit(&seed);
+                if (ids[i] < 0)
+                    assert_int_equal(paradt_dynamic_insert(d, to, weighted ? weights[i] : 0, -1, &ids[i]), PARADT_OK);
+                else if (k % 3)
+                    assert_int_equal(paradt_dynamic_move(d, ids[i], to, weighted ? weights[i] : 0), PARADT_OK);
+                else {
+                    assert_int_equal(paradt_dynamic_remove(d, ids[i]), PARADT_OK);
+                    ids[i] = -1;
+                }
+                memcpy(x + i * dim, to, (size_t)dim * sizeof *to);
+                if (k % 1000 == 999) check_starts(d);
+            }
+            paradt_dynamic_free(d);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_vertices_begin_again),
@@ -581,6 +637,7 @@ int main(void) {
         cmocka_unit_test(near_a_plane_there_are_no_sagittas),
         cmocka_unit_test(ghosts_leave_points_in_their_planes_to_the_predicates),
         cmocka_unit_test(powers_near_zero_are_told_from_zero),
+        cmocka_unit_test(searches_start_at_vertices_that_are_there),
     };
     return cmocka_run_group_tests_name("insertion", tests, NULL, NULL);
 }
