@@ -1636,9 +1636,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     repair                       537   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
-//     starting cells               287   a vertex near any place
+//     starting cells               328   a vertex near any place
 //     distances                    164   which of two vertices is nearer
-//     nearest                      163   the nearest vertex
+//     nearest                      167   the nearest vertex
 //     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
@@ -1648,8 +1648,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        435   columns, hidden and coincident points
 //     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      459   one point comes, goes or moves; the set anew
-//     making a living set          267   the set anew
+//     changes of a living set      479   one point comes, goes or moves; the set anew
+//     making a living set          266   the set anew
 //     living set                   464   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
 //     diagram                      280   what Voronoi diagrams are made of; planes, where they meet
@@ -5921,9 +5921,7 @@ PARADT__HOT paradt_status paradt__set_grade(paradt__set *set, double nearness, p
 //     - a ghost has one infinite vertex;
 //     - a place that is free has PARADT__DEAD for its first vertex; `spare` names each of them once, unless the mesh is
 //       about to be compacted: then dead places are in no list.
-// Marks are bits of a cell; each has one owner, who clears it.
-//
-// The mesh knows no coordinates. Its functions say nothing of geometry; see >>scene for what does.
+// Marks are bits of a cell; each has one owner, who clears it. The mesh knows no coordinates: >>scene does.
 // Doors: paradt__mesh_*, paradt__most_cells, paradt__vertices_below, paradt__vertices_among, paradt__is_finite_cell,
 // paradt__ghost_place, paradt__same_facet, paradt__facet_without, paradt__star_of, paradt__list_room,
 // paradt__list_append, paradt__list_free, paradt__expected_places, paradt__cells_a_point, paradt__off_hull,
@@ -6284,14 +6282,14 @@ PARADT__INLINE int paradt__same_facet(const paradt_index *vertices, paradt_index
     return !missing;
 }
 
-// --- the star of a vertex
-
 // Fetches the row of a place ahead of its use, of vertices and links.
 PARADT__INLINE void paradt__fetch_row(const paradt_index *vertices, const paradt_index *links, size_t row,
                                       size_t corners) {
     PARADT__FETCH(vertices, row * corners);
     PARADT__FETCH(links, row * corners);
 }
+
+// --- the star of a vertex
 
 #if !defined(PARADT__STAR_CELLS) // tests make it smaller
 #define PARADT__STAR_CELLS 256   // that a star holds at most; some more are found with the last
