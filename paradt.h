@@ -19035,9 +19035,9 @@ static const char *paradt__method_fault(const paradt_options *options) {
     return NULL;
 }
 
-// Checks the arguments. Fills *text with what is wrong, or NULL.
-PARADT__COLD paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
-                                                   const char **text) {
+// Checks the arguments. Fills *text with what is wrong, or NULL. Not cold, as each change of a living set calls it.
+PARADT__NOINLINE paradt_status paradt__check_arguments(const paradt_points *points, const paradt_options *options,
+                                                       const char **text) {
     size_t size = points && points->scalar == PARADT_F32 ? sizeof(float) : sizeof(double);
     const char *fault = points ? paradt__points_fault(points) : "points is NULL";
     if (!fault && options) fault = paradt__options_fault(options);
@@ -26635,8 +26635,10 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
             continue;
         }
         to[0] = place;
-        memcpy(to + 1, mesh->vertices + place * corners, row * sizeof *to);
-        memcpy(to + 1 + corners, mesh->links + place * corners, row * sizeof *to);
+        for (j = 0; j < row; j++) {
+            to[1 + j] = mesh->vertices[(size_t)place * row + j];
+            to[1 + row + j] = mesh->links[(size_t)place * row + j];
+        }
         d->killed.count += 1 + 2 * row;
         paradt__past_kill(&d->past, place);
         if (!finite) continue;
@@ -27118,13 +27120,15 @@ static void paradt__living_make_starts(paradt_dynamic *d, size_t step) {
         paradt__starts_free(&d->starts, &d->memory);
 }
 
-// Returns a cell near a place, to start a walk from. hint: an id, or negative
+// Returns a cell near a place, to start a walk from. hint: an id, or negative. It is followed if its place is in the
+// same bucket: otherwise what the bucket names is nearer.
 static paradt_index paradt__living_start(const paradt_dynamic *d, const double *record, paradt_index hint) {
     const paradt_index *owner = d->column[PARADT__OWNER];
     paradt_index position = -1;
     size_t bucket;
     if (hint >= 0 && (size_t)hint < d->now.ids) position = paradt__living_get(d, PARADT__POSITION, hint);
-    if (position < 0) position = paradt__starts_at(&d->starts, record, &bucket);
+    if (position < 0 || !paradt__starts_same(&d->starts, paradt__living_record(d, position), record))
+        position = paradt__starts_at(&d->starts, record, &bucket);
     if (position < 0 || (size_t)position >= d->now.positions || owner[position] < 0)
         return paradt__insertion_start(&d->build);
     position = paradt__living_get(d, PARADT__CELL, position);
