@@ -1638,7 +1638,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               328   a vertex near any place
 //     distances                    164   which of two vertices is nearer
-//     nearest                      167   the nearest vertex
+//     nearest                      258   the nearest vertex
 //     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
@@ -1647,8 +1647,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     filling holes                466   what fills it
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        435   columns, hidden and coincident points
-//     journal of a living set      337   how changes are noted and undone
-//     changes of a living set      479   one point comes, goes or moves; the set anew
+//     journal of a living set      339   how changes are noted and undone
+//     changes of a living set      481   one point comes, goes or moves; the set anew
 //     making a living set          266   the set anew
 //     living set                   464   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
@@ -23607,6 +23607,12 @@ PARADT__OPTIONAL int paradt__compare_radius(const paradt__scene *scene, const do
 // falls. The same holds among equally near ones for the lexicographic order, an affine function of infinitesimal
 // weights: so the descent ends at the first of them. The neighbours come from the cells around the vertex.
 //
+// In space, without weights, few of them are looked at. How far a neighbour w of v leans towards x tells whether it is
+// nearer: (w - v) . (x - v) / |w - v|^2 is more than 1/2 then. The points (w - v) / |w - v|^2 are the corners of the
+// polar of v's Voronoi cell, a convex polytope on which that is linear, and whose boundary is the link of v. So the
+// largest is found by ascending along edges of the link, and if it is no more than 1/2, v is the nearest. Each step
+// turns around an edge v w. The hull, and what differs by less than its error, are left to the whole star.
+//
 // Nothing is written but on the stack. Only where a vertex has more cells than PARADT__STAR_CELLS memory is needed; if
 // there is none, all cells are looked at.
 // Doors: paradt__nearest_in, paradt__seen_add, paradt__seen_around, paradt__seen_clear, paradt__seen_free.
@@ -23731,6 +23737,88 @@ static paradt_status paradt__candidate_try_all_around(const paradt__scene *scene
     return status;
 }
 
+typedef struct paradt__lean {
+    double value, error;
+} paradt__lean;
+
+// How far w leans from v towards x, where the space is filtered: nothing overflows, and nothing underflows. Differences,
+// products and sums have been rounded: the dot product errs by less than 5 roundoffs of |w - v| |x - v|, the square by 5
+// of itself, the quotient by one more. It is at most |x - v| / |w - v|, so it errs by 11 roundoffs of that, which is not
+// more than (1 + |x - v|^2 / |w - v|^2) / 2. 6 for 5.5 covers the higher orders and the rounding of the bound.
+PARADT__INLINE paradt__lean paradt__lean_of(const double *v, const double *x, const double *w) {
+    double dot = 0, square = 0, reach = 0;
+    paradt__lean lean;
+    int j;
+    PARADT__UNROLL
+    for (j = 0; j < 3; j++) {
+        double a = w[j] - v[j], b = x[j] - v[j];
+        dot += a * b;
+        square += a * a;
+        reach += b * b;
+    }
+    lean.value = dot / square;
+    lean.error = 6 * PARADT__ROUNDOFF * (1 + reach / square);
+    PARADT_CLAIM(lean, v, x, w, lean.value, lean.error);
+    return lean;
+}
+
+// Turns around the edge of v and w, from a cell that has it: first through the facet opposite `cross`, which `kept` is
+// on, too. Returns the handle of the first vertex found that leans farther than w, and *lean of it; PARADT__HULL: there
+// is none; PARADT__OPEN: that is not certain.
+//   v      the record of v
+//   *lean  of w
+PARADT__INLINE paradt_index paradt__lean_around(const paradt__scene *scene, const double *x, const double *v,
+                                                paradt_index cell, int cross, paradt_index kept, paradt__lean *lean) {
+    const paradt__mesh *mesh = &scene->mesh;
+    paradt_index at = cell, found = PARADT__HULL;
+    do {
+        const paradt_index handle = mesh->links[4 * at + cross], fresh = mesh->vertices[handle];
+        paradt__lean next;
+        if (fresh < 0) return PARADT__OPEN;
+        at = handle >> 2;
+        next = paradt__lean_of(v, x, paradt__scene_record(scene, fresh));
+        if (next.value - lean->value > next.error + lean->error) {
+            *lean = next;
+            return handle;
+        }
+        if (lean->value - next.value <= next.error + lean->error) found = PARADT__OPEN;
+        for (cross = 0; mesh->vertices[4 * at + cross] != kept;) cross++;
+        kept = fresh;
+    } while (at != cell);
+    return found;
+}
+
+// Ascends the link of the best vertex, in space and without weights, until a vertex is nearer and becomes the best, or
+// it is certain that none is. Returns 0 if all neighbours have to be looked at.
+static int paradt__lean_ascend(const paradt__scene *scene, const double *x, paradt__candidate *best) {
+    const paradt__mesh *mesh = &scene->mesh;
+    const paradt_index vertex = best->power.vertex;
+    const double *v = paradt__scene_record(scene, vertex);
+    paradt_index cell = best->cell, handle = PARADT__OPEN;
+    paradt__lean lean = {-1, 0}, next;
+    int i, place;
+    if (!scene->space.filtered || !paradt__is_finite_cell(paradt__mesh_row(mesh, cell), 4)) return 0;
+    for (i = 0; i < 4; i++) {
+        const paradt_index other = mesh->vertices[4 * cell + i];
+        if (other == vertex) continue;
+        next = paradt__lean_of(v, x, paradt__scene_record(scene, other));
+        if (handle >= 0 && !(next.value > lean.value)) continue;
+        lean = next;
+        handle = 4 * cell + i;
+    }
+    while (handle >= 0) {
+        const paradt_index other = mesh->vertices[handle], *row;
+        cell = handle >> 2;
+        row = paradt__mesh_row(mesh, cell);
+        if (lean.value > 0.5 - lean.error) paradt__candidate_try(scene, x, other, cell, best);
+        if (best->power.vertex != vertex) return 1;
+        for (place = 0; row[place] == vertex || row[place] == other;) place++;
+        for (i = place + 1; row[i] == vertex || row[i] == other;) i++;
+        handle = paradt__lean_around(scene, x, v, cell, place, row[i], &lean);
+    }
+    return handle == PARADT__HULL;
+}
+
 // Returns the vertex that is nearest to x; of equally near ones the first in lexicographic order. cell: one near x, not
 // a ghost; x: admitted.
 PARADT__OPTIONAL paradt_index paradt__nearest_in(const paradt__view *view, paradt_index cell, const double *x,
@@ -23746,6 +23834,9 @@ PARADT__OPTIONAL paradt_index paradt__nearest_in(const paradt__view *view, parad
     paradt__candidate_try_cell(scene, x, cell, &best);
     while (best.power.vertex != vertex && scene->space.dim > 0) {
         vertex = best.power.vertex;
+        if (scene->space.dim == 3 && scene->space.ambient == 3 && !scene->space.weighted &&
+            paradt__lean_ascend(scene, x, &best))
+            continue;
         paradt__star_of(mesh, best.cell, vertex, &star);
         for (i = 0; i < star.count; i++) {
             paradt_index v = mesh->vertices[star.handles[i]];

@@ -89,6 +89,7 @@ static void run_living(const sample *s, const paradt_points *points) {
             paradt_dynamic_move(d, (paradt_index)random_below(&state, s->count), x, s->w ? s->w[i] : 0);
         else
             paradt_dynamic_remove(d, (paradt_index)random_below(&state, s->count));
+        paradt_dynamic_nearest(d, x, -1);
     }
     paradt_dynamic_free(d);
 }
@@ -356,6 +357,11 @@ static void ask_distance(const hill *h, const double *const *p) {
     scene.space.bounded = 1;
     scene.records = p[0];
     paradt__power_at(&scene, p[1], 0, h->d, h->weighted);
+}
+
+static void ask_lean(const hill *h, const double *const *p) {
+    (void)h;
+    paradt__lean_of(p[0], p[1], p[2]);
 }
 
 static void ask_sides(const hill *h, const double *const *p) {
@@ -667,6 +673,7 @@ static const hill hills[] = {
     {"power at a place, 2", DISTANCE, 2, 2, 2, 0, ask_distance, 0.167, 0},
     {"power at a place, 3", DISTANCE, 2, 3, 3, 0, ask_distance, 0.208, 0},
     {"power at a place, 8, weighted", DISTANCE, 2, 8, 8, 1, ask_distance, 0.458, 0},
+    {"lean of a vertex", LEAN, 3, 3, 3, 0, ask_lean, 0.473, 0},
     {"centre, 2", CENTRE, 3, 2, 2, 0, ask_centre, 0.368, 0},
     {"centre, 3", CENTRE, 4, 3, 3, 0, ask_centre, 0.378, 0},
     {"centre, 3, weighted", CENTRE, 4, 3, 3, 1, ask_centre, 0.391, 0},

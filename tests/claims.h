@@ -36,6 +36,7 @@ typedef enum claim_kind {
     ABOVE,              // on which side of a plane a corner is
     MINORS,             // of the sieve
     SAGITTAS,           //
+    LEAN,               // of a vertex, from another towards a place
     CLAIM_KINDS
 } claim_kind;
 
@@ -121,6 +122,7 @@ static void claim_plane(const struct paradt__graph *g, const paradt_index *row, 
 static void claim_distance(const struct paradt__scene *scene, const double *x, const double *p, int ambient,
                            int weighted, double value, double error);
 static void claim_meet(const struct paradt__diagram *g, const paradt_index *vertices, const double *y, int d);
+static void claim_lean(const double *v, const double *x, const double *w, double value, double bound);
 static void claim_corner(struct paradt__convex *c, const struct paradt__halfspace *const *h, const double *y,
                          int distant);
 static void claim_above(struct paradt__convex *c, size_t vertex, const struct paradt__halfspace *plane, int sign);

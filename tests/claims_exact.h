@@ -327,6 +327,24 @@ static void claim_distance(const paradt__scene *scene, const double *x, const do
     claim_ratio(DISTANCE, t, bound, NULL);
 }
 
+static void claim_lean(const double *v, const double *x, const double *w, double value, double bound) {
+    dyadic *dot = claim_number(3), *square = claim_number(4), *a = claim_number(5), *t = claim_number(6);
+    dy_set(dot, 0);
+    dy_set(square, 0);
+    for (int j = 0; j < 3; j++) {
+        dy_difference(a, w[j], v[j]);
+        dy_difference(t, x[j], v[j]);
+        dy_mul(t, t, a);
+        dy_add(dot, dot, t, 1);
+        dy_mul(a, a, a);
+        dy_add(square, square, a, 1);
+    }
+    dy_set(t, value);
+    dy_mul(t, t, square);
+    dy_add(t, t, dot, -1);
+    claim_ratio(LEAN, t, bound, square);
+}
+
 // y: the centre of a cell relative to its first vertex, and the bound
 static void claim_meet(const paradt__diagram *g, const paradt_index *vertices, const double *y, int d) {
     static dyadic a[DY_MOST][DY_MOST], row[DY_MOST], side[DY_MOST];
