@@ -1140,6 +1140,53 @@ static void places_are_found(void **state) {
     }
 }
 
+// Of equally near vertices the lexicographically smallest is the nearest: places halfway between those of a lattice that has
+// lost some of its points have up to 2^dim.
+static void of_equally_near_vertices_the_first_is_found(void **state) {
+    static const int sides[] = {0, 0, 9, 5, 3};
+    (void)state;
+    for (int dim = 2; dim <= 4; dim++) {
+        double points_at[125 * 4], x[4];
+        char there[125];
+        int side = sides[dim], count = 1, places = 1;
+        uint64_t seed = 11;
+        paradt_dynamic *d;
+        for (int k = 0; k < dim; k++)
+            count *= side, places *= 2 * side - 1;
+        for (int i = 0; i < count; i++)
+            for (int k = 0, rest = i; k < dim; k++, rest /= side)
+                points_at[i * dim + k] = rest % side;
+        memset(there, 1, sizeof there);
+        paradt_points points = paradt_points_f64(points_at, (size_t)count, (size_t)dim);
+        assert_int_equal(paradt_dynamic_create(&d, &points, NULL), PARADT_OK);
+        for (int lost = 0; lost <= count / 4; lost++) {
+            int gone = random_below(&seed, count), nearest = -1;
+            double least = 1e300;
+            for (int place = random_below(&seed, 7); place < places; place += lost ? 7 : 1, least = 1e300) {
+                for (int k = 0, rest = place; k < dim; k++, rest /= 2 * side - 1)
+                    x[k] = 0.5 * (rest % (2 * side - 1));
+                for (int i = 0; i < count; i++) {
+                    double distance = 0;
+                    int first = 0;
+                    for (int k = 0; k < dim; k++) {
+                        double a = points_at[i * dim + k], b = points_at[(nearest < 0 ? 0 : nearest) * dim + k];
+                        distance += (a - x[k]) * (a - x[k]);
+                        if (!first)
+                            first = (a < b) - (a > b);
+                    }
+                    if (there[i] && (distance < least || (distance == least && first > 0)))
+                        least = distance, nearest = i;
+                }
+                assert_int_equal(paradt_dynamic_nearest(d, x, -1), nearest);
+            }
+            if (there[gone])
+                assert_int_equal(paradt_dynamic_remove(d, gone), PARADT_OK);
+            there[gone] = 0;
+        }
+        paradt_dynamic_free(d);
+    }
+}
+
 // A set that nothing has changed knows where to start, too: else a search would go through the set from where it was last.
 static void places_are_found_soon_in_a_new_set(void **state) {
     enum { COUNT = SANITIZED ? 10000 : 40000, QUERIES = 1000 };
@@ -1327,6 +1374,7 @@ int main(void) {
     tests[count++] = named_test(wrong_arguments_are_refused, NULL, "wrong_arguments_are_refused");
     tests[count++] = named_test(updates_tell_what_changed, NULL, "updates_tell_what_changed");
     tests[count++] = named_test(places_are_found, NULL, "places_are_found");
+    tests[count++] = named_test(of_equally_near_vertices_the_first_is_found, NULL, "of_equally_near_vertices_the_first_is_found");
     tests[count++] = named_test(places_are_found_soon_in_a_new_set, NULL, "places_are_found_soon_in_a_new_set");
     tests[count++] = named_test(vertices_on_the_hull_are_found_from_anywhere, NULL,
                                 "vertices_on_the_hull_are_found_from_anywhere");
