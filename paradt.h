@@ -23741,10 +23741,11 @@ typedef struct paradt__lean {
     double value, error;
 } paradt__lean;
 
-// How far w leans from v towards x, where the space is filtered: nothing overflows, and nothing underflows. Differences,
-// products and sums have been rounded: the dot product errs by less than 5 roundoffs of |w - v| |x - v|, the square by 5
-// of itself, the quotient by one more. It is at most |x - v| / |w - v|, so it errs by 11 roundoffs of that, which is not
-// more than (1 + |x - v|^2 / |w - v|^2) / 2. 6 for 5.5 covers the higher orders and the rounding of the bound.
+// How far w leans from v towards x, where the space is filtered: nothing overflows, and nothing underflows.
+// Differences, products and sums have been rounded: the dot product errs by less than 5 roundoffs of |w - v| |x - v|,
+// the square by 5 of itself, the quotient by one more. It is at most |x - v| / |w - v|, so it errs by 11 roundoffs of
+// that, which is not more than (1 + |x - v|^2 / |w - v|^2) / 2. 6 for 5.5 covers the higher orders and the rounding of
+// the bound.
 PARADT__INLINE paradt__lean paradt__lean_of(const double *v, const double *x, const double *w) {
     double dot = 0, square = 0, reach = 0;
     paradt__lean lean;
@@ -26269,6 +26270,7 @@ struct paradt_dynamic {
     paradt__list suspects; // vertices of cells that died: with weights they may be hidden now
     // what paradt_dynamic_get_update gives
     paradt__list killed_numbers, killed_vertices;
+    int renamed; // of some place the change has another point stand for the others
     int dim_before, rebuilt;
     // the last call
     size_t error_point;
@@ -26709,6 +26711,8 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
             PARADT__FETCH(d->column[PARADT__CELL], vertices[j]);
         }
     }
+    for (i = 0; i < build->rim_count && d->steps; i++)
+        PARADT__FETCH(mesh->marks, paradt__mesh_cell(mesh, mesh->links[build->rim[i]]));
     for (i = 0; i < build->rim_count; i++) {
         paradt_index inner = build->rim[i], outer = mesh->links[inner];
         paradt_index *torn = d->torn.items + d->torn.count;
@@ -26734,7 +26738,7 @@ static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
         paradt__past_kill(&d->past, place);
         if (!finite) continue;
         d->killed_numbers.items[d->killed_numbers.count++] = place;
-        for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = to[j];
+        for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = owner[to[j]];
     }
     return PARADT_OK;
 }
@@ -26863,7 +26867,7 @@ static void paradt__living_begin(paradt_dynamic *d, int steps) {
     d->killed.count = d->torn.count = d->made.count = d->log.count = d->written.count = 0;
     d->killed_numbers.count = d->killed_vertices.count = 0;
     d->dim_before = d->dim;
-    d->rebuilt = 0;
+    d->renamed = d->rebuilt = 0;
     paradt__meter_begin(&d->meter, &d->options);
 }
 
@@ -26874,27 +26878,37 @@ static void paradt__living_exchange_owner(paradt_dynamic *d, paradt_index *entry
     entry[2] = now;
 }
 
-// Gives the vertices of killed cells the ids that they had before the change: at some places another point may stand
-// for them now, one that has come by the same change. The owners are taken back for that, and redone.
+// Gives the vertices of killed cells the ids that they had before the change: those that they had when their cells died
+// are not always these. The owners are taken back for that, and redone.
 static void paradt__living_name_killed(paradt_dynamic *d) {
-    size_t at, i;
+    const int corners = d->build.scene.mesh.corners;
+    paradt_index *name = d->killed_vertices.items;
+    size_t at;
+    int i;
     for (at = d->log.count; at; at -= 3)
         if (d->log.items[at - 3] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at - 3);
-    for (i = 0; i < d->killed_vertices.count; i++) {
-        PARADT_ASSERT(paradt__living_get(d, PARADT__OWNER, d->killed_vertices.items[i]) >= 0);
-        d->killed_vertices.items[i] = paradt__living_get(d, PARADT__OWNER, d->killed_vertices.items[i]);
+    for (at = 0; at < d->killed.count; at += 1 + 2 * (size_t)corners) {
+        const paradt_index *row = d->killed.items + at + 1;
+        if (!paradt__is_finite_cell(row, corners)) continue;
+        for (i = 0; i < corners; i++) *name++ = paradt__living_get(d, PARADT__OWNER, row[i]);
     }
+    PARADT_ASSERT(name == d->killed_vertices.items + d->killed_vertices.count);
     for (at = 0; at < d->log.count; at += 3)
         if (d->log.items[at] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at);
 }
 
 // Makes the journal what paradt_dynamic_get_update gives.
 static void paradt__living_publish(paradt_dynamic *d) {
+    enum { AHEAD = 16 };
     paradt__mesh *mesh = &d->build.scene.mesh;
     size_t corners = (size_t)mesh->corners, at, made = 0;
-    paradt__living_name_killed(d);
+    if (d->renamed) paradt__living_name_killed(d);
     for (at = 0; at < d->made.count; at++) {
         size_t place = (size_t)d->made.items[at];
+        if (at + AHEAD < d->made.count) {
+            PARADT__FETCH(mesh->marks, d->made.items[at + AHEAD]);
+            PARADT__FETCH(mesh->vertices, (size_t)d->made.items[at + AHEAD] * corners);
+        }
         if (d->steps && !(mesh->marks[place] & PARADT__FRESH)) continue;
         if (d->steps) paradt__mesh_unmark(mesh, place, PARADT__FRESH);
         if (paradt__is_finite_cell(mesh->vertices + place * corners, mesh->corners))
@@ -27179,6 +27193,12 @@ static paradt_status paradt__living_reweigh(paradt_dynamic *d, paradt_index posi
 
 // --- points
 
+// Has a point stand for those at a place. There is room in the log.
+static void paradt__living_rename(paradt_dynamic *d, paradt_index position, paradt_index id) {
+    d->renamed |= paradt__living_get(d, PARADT__OWNER, position) != id;
+    paradt__living_set(d, PARADT__OWNER, position, id);
+}
+
 // Makes a point, that is nowhere yet, one of those at a place.
 static paradt_status paradt__living_join(paradt_dynamic *d, paradt_index id, paradt_index position) {
     paradt_index root = paradt__living_get(d, PARADT__OWNER, position);
@@ -27187,7 +27207,7 @@ static paradt_status paradt__living_join(paradt_dynamic *d, paradt_index id, par
     if (status) return status;
     paradt__living_set(d, PARADT__POSITION, id, position);
     root = paradt__heap_join(d, root, id);
-    paradt__living_set(d, PARADT__OWNER, position, root);
+    paradt__living_rename(d, position, root);
     if (root != id || !d->weighted) return PARADT_OK;
     if (paradt__bits(d->weights[id]) == paradt__bits(paradt__living_record(d, position)[d->ambient])) return PARADT_OK;
     if (d->dim > 0 && d->past.method != PARADT_AUTO) return PARADT__GAVE_UP;
@@ -27338,7 +27358,7 @@ static paradt_status paradt__living_remove(paradt_dynamic *d, paradt_index id) {
     root = paradt__heap_leave(d, root, id);
     status = paradt__living_log_room(d, 1);
     if (status) return status;
-    paradt__living_set(d, PARADT__OWNER, position, root);
+    paradt__living_rename(d, position, root);
     if (!d->weighted || paradt__bits(d->weights[root]) == paradt__bits(paradt__living_record(d, position)[d->ambient]))
         return PARADT_OK;
     return paradt__living_reweigh(d, position, d->weights[root]);
