@@ -27242,6 +27242,7 @@ static paradt_index paradt__living_start(const paradt_dynamic *d, const double *
         position = paradt__starts_at(&d->starts, record, &bucket);
     if (position < 0 || (size_t)position >= d->now.positions || owner[position] < 0)
         return paradt__insertion_start(&d->build);
+    PARADT__FETCH(d->records, (size_t)position * d->build.scene.width);
     position = paradt__living_get(d, PARADT__CELL, position);
     paradt__fetch_row(d->build.scene.mesh.vertices, d->build.scene.mesh.links, (size_t)position,
                       (size_t)d->build.scene.mesh.corners);
