@@ -1638,7 +1638,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     location                      91   the face that holds a place, asked from any thread
 //     starting cells               328   a vertex near any place
 //     distances                    164   which of two vertices is nearer
-//     nearest                      258   the nearest vertex
+//     nearest                      259   the nearest vertex
 //     adjacency                    195   a vertex to its cells and its neighbours, edges
 //     searches among neighbours    171   the k nearest, those in a ball
 //     along                        154   the cells along a segment
@@ -1646,9 +1646,9 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     holes of vertices            456   the hole where a vertex goes, and wrapping it
 //     filling holes                466   what fills it
 //     past of a living set         245   location by all cells that there were
-//     state of a living set        435   columns, hidden and coincident points
-//     journal of a living set      339   how changes are noted and undone
-//     changes of a living set      481   one point comes, goes or moves; the set anew
+//     state of a living set        436   columns, hidden and coincident points
+//     journal of a living set      351   how changes are noted and undone
+//     changes of a living set      488   one point comes, goes or moves; the set anew
 //     making a living set          266   the set anew
 //     living set                   464   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
