@@ -1553,7 +1553,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 // CONTENTS, with the lines of each section
 //
 //   ground
-//     memory                       189   the account of every byte
+//     memory                       201   the account of every byte
 //     numbers                      200   bit patterns, integers, small helpers
 //     tasks                        197   progress, teams, pauses, the clock
 //   predicates
@@ -1919,25 +1919,40 @@ static void *paradt__refuse(paradt__memory *memory, uint64_t bytes, int by_limit
     return NULL;
 }
 
-// Returns `count` elements of `size` bytes, not cleared; NULL if the limit, the allocator or size_t does not admit so
-// many. Even zero elements get a block.
-static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
-    size_t bytes;
+// The bytes of a block, which begins with its size; 0 of NULL
+static size_t paradt__block_bytes(const void *payload) {
+    size_t bytes = 0;
+    if (payload) memcpy(&bytes, (const char *)payload - PARADT__BLOCK_HEADER, sizeof bytes);
+    return bytes;
+}
+
+// Returns a block for `count` elements of `size` bytes; NULL if the limit, the allocator or size_t does not admit so
+// many. Even zero elements get a block. from: NULL, or a block of malloc's that the new one replaces, with what it
+// holds: the account says for a moment that both are there, as they may be.
+static void *paradt__alloc_from(paradt__memory *memory, void *from, size_t count, size_t size) {
+    size_t bytes, freed = paradt__block_bytes(from);
     uint64_t held;
     int stays_below_zero;
-    char *block;
+    char *old = from ? (char *)from - PARADT__BLOCK_HEADER : NULL, *block;
     if (size && count > (SIZE_MAX / 2 - PARADT__BLOCK_HEADER) / size) return NULL;
     bytes = count * size + PARADT__BLOCK_HEADER;
     held = memory->held + bytes;
     stays_below_zero = memory->held > UINT64_MAX / 2 && held > UINT64_MAX / 2;
     if (held > memory->limit && !stays_below_zero) return paradt__refuse(memory, bytes, 1);
-    block = (char *)memory->allocator.alloc(memory->allocator.user, bytes);
+    if (from) PARADT__ALLOW(old + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
+    block = (char *)(from ? realloc(old, bytes) : memory->allocator.alloc(memory->allocator.user, bytes));
+    if (!block && from) PARADT__FORBID(old + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
     if (!block) return paradt__refuse(memory, bytes, 0);
     memcpy(block, &bytes, sizeof bytes);
     PARADT__FORBID(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
-    memory->held = held;
+    memory->held = held - freed;
     if (held > memory->peak && !stays_below_zero) memory->peak = held;
     return block + PARADT__BLOCK_HEADER;
+}
+
+// Returns `count` elements of `size` bytes, not cleared, or NULL, as above.
+static void *paradt__alloc(paradt__memory *memory, size_t count, size_t size) {
+    return paradt__alloc_from(memory, NULL, count, size);
 }
 
 // Returns a block to the allocator. payload: NULL or a block of this account or of one joined with it
@@ -1950,13 +1965,6 @@ static void paradt__release(paradt__memory *memory, void *payload) {
     memory->held -= bytes;
     PARADT__ALLOW(block + sizeof bytes, PARADT__BLOCK_HEADER - sizeof bytes);
     memory->allocator.free(memory->allocator.user, block);
-}
-
-// The bytes of a block, which begins with its size
-PARADT__OPTIONAL size_t paradt__block_bytes(const void *payload) {
-    size_t bytes = 0;
-    if (payload) memcpy(&bytes, (const char *)payload - PARADT__BLOCK_HEADER, sizeof bytes);
-    return bytes;
 }
 
 enum { PARADT__PAGE = 4096 }; // bytes a page on most systems
@@ -1996,15 +2004,19 @@ PARADT__OPTIONAL void paradt__drop_pages(const paradt__memory *memory, const voi
 #endif
 }
 
-// Replaces *array by a block of `count` elements of `size` bytes and copies its first `used` elements. Returns 0, with
-// *array as it was, if there is no memory.
+// Replaces *array by a block of `count` elements of `size` bytes, more than before, that has its first `used` elements.
+// Returns 0, with *array as it was, if there is no memory. Of large blocks malloc's system moves pages instead of
+// copying what is in them.
 static int paradt__grow(paradt__memory *memory, void **array, size_t used, size_t count, size_t size) {
-    void *larger = paradt__alloc(memory, count, size);
+    const int moves = *array && memory->allocator.alloc == paradt__default_alloc;
+    void *larger = paradt__alloc_from(memory, moves ? *array : NULL, count, size);
     PARADT_ASSERT(used <= count);
     if (!larger) return 0;
-    paradt__make_pages(larger, 0, used * size);
-    if (used) memcpy(larger, *array, used * size);
-    paradt__release(memory, *array);
+    if (!moves && used) {
+        paradt__make_pages(larger, 0, used * size);
+        memcpy(larger, *array, used * size);
+    }
+    if (!moves) paradt__release(memory, *array);
     *array = larger;
     return 1;
 }
@@ -23120,8 +23132,8 @@ PARADT__OPTIONAL paradt_index paradt__place_in(paradt__view *view, paradt_index 
 // of one. So no name outlives its vertex, however many come and go; still it is a hint and no more, as a change that is
 // undone leaves what it has named. After many more points have come the grids are to be made anew. Places outside of
 // the box have the buckets at its border.
-// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_centre, paradt__starts_put, paradt__starts_leave,
-// paradt__starts_same, paradt__starts_fetch, paradt__starts_free.
+// Doors: paradt__starts_make, paradt__starts_at, paradt__starts_is_grid, paradt__starts_centre, paradt__starts_put,
+// paradt__starts_leave, paradt__starts_same, paradt__starts_fetch, paradt__starts_free.
 
 enum {
     PARADT__START_POINTS = 2,  // a bucket, on average
