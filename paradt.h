@@ -430,6 +430,11 @@
 // has them ready, and adds a third on a virtual machine whose host has to provide them first. On Linux from 5.14 on,
 // small pages are made somewhat ahead of their use, by madvise.
 //
+// A call gives back what it has taken for itself, and malloc gives large blocks back to the system, which has to clear
+// their pages for the next call. An allocator that keeps its pages takes that off calls one after another. On a virtual
+// machine that was a tenth of the time of triangulating 10^6 points in space, and a third of that of their Voronoi
+// diagram (glibc: MALLOC_MMAP_MAX_=0 and a large MALLOC_TRIM_THRESHOLD_ in the environment, or mallopt).
+//
 // The result takes (2 cells (dim + 1) + points) indices, with PARADT_NO_NEIGHBORS (cells (dim + 1) + points). The
 // arrays may be up to a third larger than that, with regions up to a half, and for a few hundred points some kilobytes
 // larger.
