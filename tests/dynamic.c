@@ -808,6 +808,35 @@ static void the_nearest_of_many_neighbours_is_found(void **state) {
         }
 }
 
+// Blocks of malloc's are enlarged, those of other allocators replaced: the account is the same.
+static void a_set_that_grows_holds_as_much_by_malloc_as_by_an_allocator(void **state) {
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++) {
+        sample s = family_make(&families[family_named("uniform")], NULL, dim, 600, 3);
+        size_t bytes[2], least = 0;
+        for (int own = 0; own < 2; own++) {
+            failing memory = {0, 0, 0};
+            paradt_options options = {0};
+            paradt_points none = paradt_points_f64(NULL, 0, (size_t)dim);
+            paradt_dynamic_info info;
+            paradt_dynamic *d;
+            paradt_index id;
+            options.allocator.alloc = own ? failing_alloc : NULL;
+            options.allocator.free = own ? failing_free : NULL;
+            options.allocator.user = &memory;
+            assert_int_equal(paradt_dynamic_create(&d, &none, &options), PARADT_OK);
+            for (int i = 0; i < s.count; i++)
+                assert_int_equal(paradt_dynamic_insert(d, s.x + i * dim, 0, -1, &id), PARADT_OK);
+            paradt_dynamic_get_info(d, &info);
+            bytes[own] = info.bytes;
+            least = info.cell_count * 2 * (size_t)(dim + 1) * sizeof(paradt_index);
+            paradt_dynamic_free(d);
+        }
+        assert_true(bytes[0] == bytes[1] && bytes[0] > least);
+        sample_free(&s);
+    }
+}
+
 static int cancel_later(void *user, double done) {
     int *calls = (int *)user;
     (void)done;
@@ -1366,6 +1395,7 @@ int main(void) {
     tests[count++] = named_test(every_way_of_creating_leads_on, NULL, "every_way_of_creating_leads_on");
     tests[count++] = named_test(a_summit_above_a_flat_goes_and_comes, NULL, "a_summit_above_a_flat_goes_and_comes");
     tests[count++] = named_test(the_nearest_of_many_neighbours_is_found, NULL, "the_nearest_of_many_neighbours_is_found");
+    tests[count++] = named_test(a_set_that_grows_holds_as_much_by_malloc_as_by_an_allocator, NULL, "a_set_that_grows_holds_as_much_by_malloc_as_by_an_allocator");
     tests[count++] = named_test(failing_exports_leave_nothing, NULL, "failing_exports_leave_nothing");
     tests[count++] = named_test(failing_allocations_while_a_flat_set_grows, NULL, "failing_allocations_while_a_flat_set_grows");
     tests[count++] = named_test(places_are_found_without_memory_for_starts, NULL, "places_are_found_without_memory_for_starts");
