@@ -1652,7 +1652,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     filling holes                466   what fills it
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        436   columns, hidden and coincident points
-//     journal of a living set      351   how changes are noted and undone
+//     journal of a living set      350   how changes are noted and undone
 //     changes of a living set      488   one point comes, goes or moves; the set anew
 //     making a living set          266   the set anew
 //     living set                   464   the entry
@@ -26899,17 +26899,16 @@ static void paradt__living_exchange_owner(paradt_dynamic *d, paradt_index *entry
 // are not always these. The owners are taken back for that, and redone.
 static void paradt__living_name_killed(paradt_dynamic *d) {
     const int corners = d->build.scene.mesh.corners;
-    paradt_index *name = d->killed_vertices.items;
-    size_t at;
+    size_t named = 0, at;
     int i;
     for (at = d->log.count; at; at -= 3)
         if (d->log.items[at - 3] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at - 3);
     for (at = 0; at < d->killed.count; at += 1 + 2 * (size_t)corners) {
         const paradt_index *row = d->killed.items + at + 1;
         if (!paradt__is_finite_cell(row, corners)) continue;
-        for (i = 0; i < corners; i++) *name++ = paradt__living_get(d, PARADT__OWNER, row[i]);
+        for (i = 0; i < corners; i++) d->killed_vertices.items[named++] = paradt__living_get(d, PARADT__OWNER, row[i]);
     }
-    PARADT_ASSERT(name == d->killed_vertices.items + d->killed_vertices.count);
+    PARADT_ASSERT(named == d->killed_vertices.count);
     for (at = 0; at < d->log.count; at += 3)
         if (d->log.items[at] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at);
 }
