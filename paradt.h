@@ -432,8 +432,8 @@
 //
 // A call gives back what it has taken for itself, and malloc gives large blocks back to the system, which has to clear
 // their pages for the next call. An allocator that keeps its pages takes that off calls one after another. On a virtual
-// machine that was a tenth of the time of triangulating 10^6 points in space, and a third of that of their Voronoi
-// diagram (glibc: MALLOC_MMAP_MAX_=0 and a large MALLOC_TRIM_THRESHOLD_ in the environment, or mallopt).
+// machine that was a tenth of the time of triangulating 10^6 points in space, and two fifths with their Voronoi diagram
+// (glibc: MALLOC_MMAP_MAX_=0 and a large MALLOC_TRIM_THRESHOLD_ in the environment, or mallopt).
 //
 // The result takes (2 cells (dim + 1) + points) indices, with PARADT_NO_NEIGHBORS (cells (dim + 1) + points). The
 // arrays may be up to a third larger than that, with regions up to a half, and for a few hundred points some kilobytes
@@ -1641,7 +1641,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     repair                       537   the entry of repairing
 //     measures of a cell           669   spheres and volumes, rounded once
 //     location                      91   the face that holds a place, asked from any thread
-//     starting cells               328   a vertex near any place
+//     starting cells               329   a vertex near any place
 //     distances                    164   which of two vertices is nearer
 //     nearest                      259   the nearest vertex
 //     adjacency                    195   a vertex to its cells and its neighbours, edges
@@ -23339,8 +23339,9 @@ typedef struct paradt__start_points {
 // Is there one more point? Sets *i to the first from there on, and *x to its record.
 PARADT__INLINE int paradt__start_point(const paradt__start_points *points, size_t *i, const double **x) {
     while (points->owner && *i < points->count && points->owner[*i] < 0) *i += points->step;
+    if (*i >= points->count) return 0;
     *x = points->records + *i * points->width;
-    return *i < points->count;
+    return 1;
 }
 
 // Gives each crowded bucket of the grids from `grid` on a grid of its own.
