@@ -1578,7 +1578,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     reference sphere             204   sagittas near a sphere
 //   mesh
 //     mesh                         700   cells, links, ghosts, free places; closing
-//     facets                       258   the table of facets: AFL, open facets
+//     facets                       277   the table of facets: AFL, open facets
 //     scene                        203   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
@@ -1634,7 +1634,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  475   those that a hull has to look at
 //     hull faces                   375   planes, extreme points, measures
 //     hull                         304   the entry
-//     given triangulation          353   the caller's cells and points as a mesh and a set
+//     given triangulation          343   the caller's cells and points as a mesh and a set
 //     spheres of cells in space    162   which cells and facets are still right, four cells together
 //     mending by flips             313   what has moved, by flips
 //     mending by holes             440   what flips leave, by small triangulations
@@ -1654,18 +1654,18 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     state of a living set        436   columns, hidden and coincident points
 //     journal of a living set      350   how changes are noted and undone
 //     changes of a living set      488   one point comes, goes or moves; the set anew
-//     making a living set          266   the set anew
+//     making a living set          256   the set anew
 //     living set                   464   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
-//     diagram                      280   what Voronoi diagrams are made of; planes, where they meet
-//     diagram order                152   points and cells in the order of space
-//     Voronoi vertices             156   centres of cells, and their errors
+//     diagram                      290   what Voronoi diagrams are made of; planes, where they meet
+//     diagram order                260   points and cells in the order of space
+//     Voronoi vertices             294   centres of cells, and their errors
 //     Voronoi faces                499   faces and volumes that nothing clips
 //     planes of a cell             326   where planes meet, in integers
 //     clipped cell                 553   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   261   volumes, areas, centroids
 //     clipping                     482   all cells that walls or infinity clip
-//     Voronoi                      673   the entry
+//     Voronoi                      670   the entry
 //   check
 //     check                        504   the certificate
 //     check of the hull            293   ... and of hidden points
@@ -1698,7 +1698,8 @@ int madvise(void *address, size_t length, int advice);
 #endif
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD)
 #include <immintrin.h> // for copies of the inner functions that are chosen at run time
-#define PARADT__AVX2 __attribute__((target("avx2,fma,popcnt")))
+#define PARADT__AVX2         __attribute__((target("avx2,fma,popcnt")))
+#define PARADT__AVX2_ROUNDED __attribute__((target("avx2"))) // each product is rounded, as without vectors
 #endif
 
 // Casts and null pointers are written as C and C++ both have them.
@@ -6801,6 +6802,25 @@ PARADT__INLINE void paradt__facets_tie(paradt__facets *facets, paradt__mesh *mes
                                        paradt_index handle, int corners) {
     paradt_index mirror = paradt__facets_match(facets, mesh, paradt__facets_chain(facets, key), key, handle, corners);
     if (mirror >= 0) paradt__mesh_tie(mesh, handle, mirror);
+}
+
+// Adds the ghost behind a facet of the hull to a mesh, and ties its ridges to those of the ghosts before, which wait in
+// the table. There is room in both. row, place: of a cell that has the facet. Returns the handle of the facet's ghost.
+PARADT__INLINE paradt_index paradt__facets_add_ghost(paradt__facets *ridges, paradt__mesh *mesh,
+                                                     const paradt_index *row, int place, int corners) {
+    const paradt_index base = (paradt_index)mesh->count++ * corners;
+    const int infinite = place < 2 ? 1 - place : place;
+    int i;
+    PARADT_ASSERT(mesh->count <= mesh->capacity);
+    for (i = 0; i < corners; i++) { // 0 and 1 are exchanged, as the ghost sees the facet from outside
+        mesh->vertices[base + (i < 2 ? 1 - i : i)] = i == place ? (paradt_index)PARADT__INFINITE : row[i];
+        mesh->links[base + i] = PARADT__OPEN;
+    }
+    for (i = 0; i < corners; i++) {
+        if (i == infinite) continue;
+        paradt__facets_tie(ridges, mesh, paradt__facet_key_of(ridges, mesh, base + i), base + i, corners);
+    }
+    return base + infinite;
 }
 
 // Finds the entry with the same vertices as a handle of another mesh. Returns its handle, or PARADT__OPEN.
@@ -20568,8 +20588,8 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 // The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
 // that links back, where both have a vertex of their own, and that the hull has a neighbour across each of its ridges.
 // No coordinate is asked for that: cells may be turned over.
-// Doors: paradt__given_read, paradt__given_place, paradt__linker_*, paradt__given_ghosts, paradt__given_mesh,
-// paradt__given_set.
+// Doors: paradt__given_read, paradt__given_place, paradt__given_is_row, paradt__linker_*, paradt__given_ghosts,
+// paradt__given_mesh, paradt__given_set.
 
 // Reads the points into the records of a zeroed set, which are in their order, and adds them to its space; there is
 // memory for one record more.
@@ -20814,25 +20834,15 @@ PARADT__INLINE paradt_status paradt__linker_finish(const paradt__linker *linker)
 PARADT__OPTIONAL paradt_status paradt__given_ghosts(paradt__mesh *mesh, const paradt__list *hull,
                                                     paradt__memory *memory) {
     const int corners = mesh->corners;
-    paradt_index base;
     size_t at;
-    int i;
     paradt__facets ridges;
     paradt_status status = paradt__facets_begin(&ridges, 0, 1, memory);
     for (at = 0; at < hull->count && !status; at++) {
-        const paradt_index handle = hull->items[at], first = handle - handle % corners;
-        const int place = (int)(handle % corners);
-        PARADT_ASSERT(mesh->links[handle] == PARADT__HULL && mesh->count < mesh->capacity);
-        base = (paradt_index)mesh->count++ * corners;
-        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
-            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
-                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
-        paradt__mesh_tie(mesh, handle, base + (place < 2 ? 1 - place : place));
+        const paradt_index handle = hull->items[at], place = handle % corners, *row = mesh->vertices + (handle - place);
+        PARADT_ASSERT(mesh->links[handle] == PARADT__HULL);
         status = paradt__facets_room(&ridges, (size_t)corners, memory);
-        for (i = 0; i < corners && !status; i++) {
-            if (mesh->vertices[base + i] == PARADT__INFINITE) continue;
-            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
-        }
+        if (status) break;
+        paradt__mesh_tie(mesh, handle, paradt__facets_add_ghost(&ridges, mesh, row, (int)place, corners));
     }
     if (!status && ridges.count) status = PARADT_ERROR_INVALID;
     mesh->paged = mesh->count;
@@ -27489,27 +27499,17 @@ static paradt_status paradt__living_move(paradt_dynamic *d, paradt_index id, con
 // Gives a mesh without ghosts its ghosts.
 static paradt_status paradt__living_ghosts(paradt__mesh *mesh, size_t hull, paradt__memory *memory) {
     const int corners = mesh->corners;
-    paradt_index end = (paradt_index)mesh->count * corners, handle, base;
-    int i;
+    paradt_index end = (paradt_index)mesh->count * corners, handle;
     paradt__facets ridges;
     paradt_status status = paradt__facets_begin(&ridges, 0, 1, memory);
     if (!status && mesh->count + hull > mesh->capacity)
         status = paradt__mesh_reserve(mesh, mesh->count + hull, mesh->count + hull, memory);
     for (handle = 0; handle < end && !status; handle++) {
-        paradt_index first = handle - handle % corners;
-        int place = (int)(handle % corners), infinite = place < 2 ? 1 - place : place;
+        const paradt_index place = handle % corners, *row = mesh->vertices + (handle - place);
         if (mesh->links[handle] >= 0) continue;
-        base = (paradt_index)mesh->count++ * corners;
-        for (i = 0; i < corners; i++) // 0 and 1 are exchanged, as the ghost sees the facet from outside
-            mesh->vertices[base + (i < 2 ? 1 - i : i)] =
-                i == place ? (paradt_index)PARADT__INFINITE : mesh->vertices[first + i];
-        paradt__mesh_tie(mesh, handle, base + infinite);
         status = paradt__facets_room(&ridges, (size_t)corners, memory);
-        for (i = 0; i < corners && !status; i++) {
-            if (i == infinite) continue;
-            mesh->links[base + i] = PARADT__OPEN;
-            paradt__facets_tie(&ridges, mesh, paradt__facet_key_of(&ridges, mesh, base + i), base + i, corners);
-        }
+        if (status) break;
+        paradt__mesh_tie(mesh, handle, paradt__facets_add_ghost(&ridges, mesh, row, (int)place, corners));
     }
     PARADT_ASSERT(status || !ridges.count);
     mesh->paged = mesh->count;
@@ -28485,9 +28485,9 @@ PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_t
 // A flat cell's centre may be beyond all doubles, and so may what is computed of it. Such places have an error that is
 // no bound, PARADT__UNKNOWN_ERROR, and a wall that scaling has changed says so. No comparison decides of them:
 // exponents and flags are looked at first, for with -ffast-math compilers assume that nothing is infinite or NaN.
-// Doors: struct paradt__diagram, PARADT__ROW_BYTES, paradt__row_vertices, paradt__row_centre, paradt__diagram_point,
-// paradt__diagram_bounds, paradt__diagram_nearest_error, paradt__diagram_bisector, paradt__diagram_wall,
-// paradt__diagram_plane, paradt__diagram_meet, paradt__diagram_above.
+// Doors: struct paradt__diagram, PARADT__ROW_BYTES, PARADT__OFFSET_ROUNDINGS, paradt__row_vertices, paradt__row_centre,
+// paradt__diagram_point, paradt__diagram_bounds, paradt__diagram_nearest_error, paradt__diagram_bisector,
+// paradt__diagram_wall, paradt__diagram_plane, paradt__diagram_three, paradt__diagram_meet, paradt__diagram_above.
 
 // What is known of a point, bits
 enum {
@@ -28657,6 +28657,34 @@ static void paradt__diagram_minors(const paradt__halfspace *const *h, int d, int
     }
 }
 
+// The determinants of three columns of three planes, as above. Columns and results are each so many numbers apart, so
+// that several sets of planes can be next to each other.
+//   normal  [3][3] plane by plane
+PARADT__INLINE void paradt__diagram_three(const double *normal, const double *offset, const double *size, size_t apart,
+                                          double *out, double *sizes) {
+    double a[9], b[9], m[9], s[9];
+    size_t i, j;
+    PARADT__UNROLL
+    for (i = 0; i < 9; i++) a[i] = normal[i * apart], b[i] = paradt__abs(a[i]);
+    PARADT__UNROLL
+    for (i = 0; i < 3; i++) { // the cofactors of plane i
+        const size_t k = (i + 1) % 3 * 3, l = (i + 2) % 3 * 3;
+        m[3 * i] = a[k + 1] * a[l + 2] - a[k + 2] * a[l + 1];
+        m[3 * i + 1] = a[k + 2] * a[l] - a[k] * a[l + 2];
+        m[3 * i + 2] = a[k] * a[l + 1] - a[k + 1] * a[l];
+        s[3 * i] = b[k + 1] * b[l + 2] + b[k + 2] * b[l + 1];
+        s[3 * i + 1] = b[k + 2] * b[l] + b[k] * b[l + 2];
+        s[3 * i + 2] = b[k] * b[l + 1] + b[k + 1] * b[l];
+    }
+    PARADT__UNROLL
+    for (j = 0; j < 3; j++) {
+        out[j * apart] = offset[0] * m[j] + offset[apart] * m[3 + j] + offset[2 * apart] * m[6 + j];
+        sizes[j * apart] = size[0] * s[j] + size[apart] * s[3 + j] + size[2 * apart] * s[6 + j];
+    }
+    out[3 * apart] = a[0] * m[0] + a[1] * m[1] + a[2] * m[2];
+    sizes[3 * apart] = b[0] * s[0] + b[1] * s[1] + b[2] * s[2];
+}
+
 // Finds where d planes meet: y[d], and in y[d] a bound of the coordinates' error. distant: of y = A + M B finds B
 // instead of A. Returns 0 where floating point has too few digits. None of the planes is inexact; so a determinant is
 // below 2^950 g->tiny, and no quotient overflows.
@@ -28682,32 +28710,14 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
         size[0] = v * paradt__abs(b[1]) + w * paradt__abs(a[1]);
         size[1] = w * paradt__abs(a[0]) + v * paradt__abs(b[0]);
     } else if (PARADT__IS(d, 3)) {
-        const int x = 0, z = PARADT_MAX_DIM > 2 ? 2 : 0; // the last index is there in three dimensions alone
-        const double *a = h[0]->normal, *b = h[1]->normal, *c = h[z]->normal;
-        double o[3], v[3], m[3][3], s[3][3];
+        double normal[9], offset[3], sizes[3];
         int i;
         for (i = 0; i < 3; i++) {
-            o[i] = distant ? h[i]->distant : h[i]->offset;
-            v[i] = distant ? o[i] : h[i]->size;
+            for (j = 0; j < 3; j++) normal[3 * i + j] = h[i % PARADT_MAX_DIM]->normal[j % PARADT_MAX_DIM];
+            offset[i] = distant ? h[i % PARADT_MAX_DIM]->distant : h[i % PARADT_MAX_DIM]->offset;
+            sizes[i] = distant ? offset[i] : h[i % PARADT_MAX_DIM]->size;
         }
-        m[0][0] = b[1] * c[z] - b[z] * c[1], m[0][1] = b[z] * c[x] - b[x] * c[z], m[0][2] = b[x] * c[1] - b[1] * c[x];
-        m[1][0] = c[1] * a[z] - c[z] * a[1], m[1][1] = c[z] * a[x] - c[x] * a[z], m[1][2] = c[x] * a[1] - c[1] * a[x];
-        m[2][0] = a[1] * b[z] - a[z] * b[1], m[2][1] = a[z] * b[x] - a[x] * b[z], m[2][2] = a[x] * b[1] - a[1] * b[x];
-        s[0][0] = paradt__abs(b[1] * c[z]) + paradt__abs(b[z] * c[1]);
-        s[0][1] = paradt__abs(b[z] * c[x]) + paradt__abs(b[x] * c[z]);
-        s[0][2] = paradt__abs(b[x] * c[1]) + paradt__abs(b[1] * c[x]);
-        s[1][0] = paradt__abs(c[1] * a[z]) + paradt__abs(c[z] * a[1]);
-        s[1][1] = paradt__abs(c[z] * a[x]) + paradt__abs(c[x] * a[z]);
-        s[1][2] = paradt__abs(c[x] * a[1]) + paradt__abs(c[1] * a[x]);
-        s[2][0] = paradt__abs(a[1] * b[z]) + paradt__abs(a[z] * b[1]);
-        s[2][1] = paradt__abs(a[z] * b[x]) + paradt__abs(a[x] * b[z]);
-        s[2][2] = paradt__abs(a[x] * b[1]) + paradt__abs(a[1] * b[x]);
-        for (j = 0; j < 3; j++) {
-            n[j] = o[0] * m[0][j] + o[1] * m[1][j] + o[2] * m[2][j];
-            size[j] = v[0] * s[0][j] + v[1] * s[1][j] + v[2] * s[2][j];
-        }
-        n[d] = a[0] * m[0][0] + a[1] * m[0][1] + a[z] * m[0][2];
-        size[d] = paradt__abs(a[0]) * s[0][0] + paradt__abs(a[1]) * s[0][1] + paradt__abs(a[z]) * s[0][2];
+        paradt__diagram_three(normal, offset, sizes, 1, n, size);
     } else {
         paradt__diagram_minors(h, d, distant, n, size);
     }
@@ -28752,10 +28762,12 @@ PARADT__INLINE int paradt__diagram_above(const paradt__diagram *g, const paradt_
 // Points along Hilbert's curve, and the cells of the triangulation in the order of the first of their points: so what
 // is near in space is near in memory. A caller's points may come in any order, and cells in that of their making; to
 // walk around edges of these takes three times as long. From here on points are positions of the set. What belongs to a
-// cell comes into one row, and ghosts become hull points whose cells are unbounded.
+// cell comes into one row, and facets of the hull make hull points, whose cells are unbounded.
+//
+// The caller's arrays, which may hold anything, are read where they are: a mesh of them would be a third more memory.
+// Rows get the caller's links first, each to the row of its cell, and these become handles when all rows are there, as
+// the other cell is near then. What is established is what >>given triangulation says.
 // Doors: paradt__diagram_rows.
-
-enum { PARADT__DIAGRAM_FEW = 4096 }; // cells: so few are in fast memory anyway
 
 // Sorts the points. to: [set.count] where each of them comes
 PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt_index *to) {
@@ -28787,96 +28799,210 @@ PARADT__HOT paradt_status paradt__diagram_sort_points(paradt__diagram *g, paradt
     return status;
 }
 
-// The least vertex of a cell
-PARADT__INLINE paradt_index paradt__diagram_least(const paradt_index *vertices, int corners) {
-    paradt_index least = vertices[0];
-    int i;
-    for (i = 1; i < corners; i++) least = vertices[i] < least ? vertices[i] : least;
-    return least;
+// How the triangulation's cells come into the rows
+typedef struct paradt__arranging {
+    const paradt_triangulation *t;
+    paradt_index *point; // [set.count] the position of each of its points
+    paradt_index *cell;  // [cells] the row of each of its cells
+    int facets;          // its links are half-facets
+    paradt__list hull;   // handles of hull facets
+} paradt__arranging;
+
+// The cell that a link of the caller's leads to. A division by a constant or none: dividing by a variable takes longer
+// than all the rest.
+PARADT__INLINE paradt_index paradt__diagram_across(paradt_index link, int facets, int corners) {
+    return facets ? link / corners : link;
 }
 
-// Finds where cells come, whose vertices are positions. to: [cells]; first: [set.count + 1] scratch
-PARADT__INLINE paradt_status paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__mesh *mesh,
-                                                        paradt_index *to, paradt_index *first, int corners) {
+// Finds where cells come. first: [set.count + 1] scratch
+PARADT__INLINE paradt_status paradt__diagram_sort_cells(const paradt__diagram *g, const paradt__arranging *arranging,
+                                                        paradt_index *first, int corners) {
+    paradt_index *to = arranging->cell;
     size_t cell, i;
     memset(first, 0, (g->set.count + 1) * sizeof *first);
     for (cell = 0; cell < g->cells; cell++) {
+        const paradt_index *row = arranging->t->cells + cell * (size_t)corners;
+        paradt_index least = PARADT__NOWHERE;
+        int j;
         if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
-        first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners) + 1]++;
+        if (!paradt__given_is_row(row, g->set.count, corners)) return PARADT_ERROR_INVALID;
+        for (j = 0; j < corners; j++) {
+            paradt_index position = arranging->point[row[j]];
+            least = position < least ? position : least;
+        }
+        to[cell] = least;
+        first[least + 1]++;
     }
     for (i = 0; i < g->set.count; i++) first[i + 1] += first[i];
     for (cell = 0; cell < g->cells; cell++) {
         if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
-        to[cell] = first[paradt__diagram_least(mesh->vertices + cell * (size_t)corners, corners)]++;
+        to[cell] = first[to[cell]]++;
     }
     return PARADT_OK;
 }
 
-// Fills the rows of cells in order. to: NULL: they stay where they are
-PARADT__INLINE paradt_status paradt__diagram_fill(const paradt__diagram *g, const paradt__mesh *mesh,
-                                                  const paradt_index *to, int corners) {
+// Fills the rows with vertices and with links as the caller gave them, but to rows; and marks the vertices.
+PARADT__INLINE paradt_status paradt__diagram_fill(const paradt__diagram *g, const paradt__arranging *arranging,
+                                                  int corners) {
     enum { AHEAD = 8 };
     const size_t bytes = PARADT__ROW_BYTES(corners - 1);
+    const paradt_index *vertices = arranging->t->cells, *links = arranging->t->neighbors, *to = arranging->cell;
+    const paradt_index *point = arranging->point;
+    const int facets = arranging->facets;
+    const size_t cells = g->cells;
+    unsigned char *kind = g->kind;
     size_t cell;
     int j;
-    for (cell = 0; cell < g->cells; cell++) {
-        size_t base = cell * (size_t)corners;
-        paradt_index *row = paradt__row_vertices(g, to ? (size_t)to[cell] : cell, bytes);
+    for (cell = 0; cell < cells; cell++, vertices += corners, links += corners) {
+        paradt_index *row = paradt__row_vertices(g, (size_t)to[cell], bytes);
         if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
-        if (to && cell + 2 * AHEAD < g->cells) {
-            for (j = 0; j < corners; j++) {
-                paradt_index link = mesh->links[base + (size_t)(2 * AHEAD * corners + j)] / corners;
-                PARADT__FETCH(to, link);
-            }
+        if (cell + 2 * AHEAD < cells) {
+            for (j = 0; j < corners; j++)
+                PARADT__FETCH(to, paradt__diagram_across(links[2 * AHEAD * corners + j], facets, corners));
             PARADT__PREFETCH_TO_WRITE(g->rows + (size_t)to[cell + AHEAD] * bytes);
         }
         for (j = 0; j < corners; j++) {
-            paradt_index link = mesh->links[base + (size_t)j], other = link / corners;
-            row[j] = mesh->vertices[base + (size_t)j];
-            if ((size_t)other >= g->cells) row[corners + j] = PARADT__HULL;
-            else row[corners + j] = to ? to[other] * corners + (link - other * corners) : link;
+            const paradt_index link = links[j], other = paradt__diagram_across(link, facets, corners);
+            const paradt_index position = point[vertices[j]];
+            row[j] = position;
+            row[corners + j] = PARADT__HULL;
+            kind[position] = PARADT__CELL_THERE;
+            if (link == PARADT__HULL) continue;
+            if (link < 0 || (size_t)other >= cells) return PARADT_ERROR_INVALID;
+            row[corners + j] = facets ? to[other] * corners + link % corners : to[other];
         }
     }
     return PARADT_OK;
 }
 
-// Makes the rows of a triangulation that is as wide as space: sorts points and cells, and marks the points of the hull.
-PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const paradt__mesh *mesh) {
-    const size_t corners = (size_t)mesh->corners;
-    size_t i;
-    paradt_index *to = NULL, *scratch = NULL;
+// Ties a facet of a row to its mirror in a later one, whose link becomes -2 - handle. Two neighbours differ in one
+// vertex, so that the exclusive or of both rows and the own vertex is the other. Returns 0 where links do not fit.
+PARADT__INLINE int paradt__diagram_tie(const paradt__diagram *g, paradt_index *row, paradt_index handle, int facets,
+                                       int corners) {
+    const paradt_index cell = handle / corners, own = handle - cell * corners, link = row[corners + own];
+    const paradt_index other = paradt__diagram_across(link, facets, corners);
+    paradt_index *there = paradt__row_vertices(g, (size_t)other, PARADT__ROW_BYTES(corners - 1));
+    int place = (int)(link % corners), j;
+    if (!facets) {
+        paradt_index apex = row[own];
+        for (j = 0; j < corners; j++) apex ^= row[j] ^ there[j];
+        place = paradt__given_place(there, apex, corners);
+        if (place >= corners) return 0;
+    }
+    if (there[corners + place] != (facets ? handle : cell)) return 0;
+    row[corners + own] = other * corners + place;
+    there[corners + place] = -2 - handle;
+    return 1;
+}
+
+// Makes handles of the links of all rows, each facet from the first of its rows. What is near in space is near in
+// memory by now. Lists the facets of the hull, and marks their vertices.
+PARADT__INLINE paradt_status paradt__diagram_link(const paradt__diagram *g, paradt__arranging *arranging, int corners) {
+    enum { AHEAD = 12 };
+    const size_t bytes = PARADT__ROW_BYTES(corners - 1);
+    const int facets = arranging->facets;
     paradt_status status = PARADT_OK;
-    if (g->cells >= PARADT__DIAGRAM_FEW) {
-        scratch = (paradt_index *)paradt__alloc_filled(g->memory, g->set.count + 1, sizeof *scratch);
-        to = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *to);
-        status = scratch && to ? paradt__diagram_sort_points(g, scratch) : PARADT_ERROR_MEMORY;
-        for (i = 0; i < mesh->count * corners && !status; i++) {
-            if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
-            else if (mesh->vertices[i] >= 0) mesh->vertices[i] = scratch[mesh->vertices[i]];
+    size_t cell;
+    int i, j;
+    for (cell = 0; cell < g->cells && !status; cell++) {
+        const paradt_index base = (paradt_index)cell * corners;
+        paradt_index *row = paradt__row_vertices(g, cell, bytes), *links = row + corners;
+        if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
+        for (i = 0; i < corners && cell + AHEAD < g->cells; i++) {
+            paradt_index other = paradt__row_vertices(g, cell + AHEAD, bytes)[corners + i];
+            other = paradt__diagram_across(other, facets, corners);
+            if (other > (paradt_index)cell) PARADT__FETCH(g->rows, (size_t)other * bytes);
         }
-        if (!status && corners == 4) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 4);
-        else if (!status) status = paradt__diagram_sort_cells(g, mesh, to, scratch, 3);
+        for (i = 0; i < corners && !status; i++) {
+            if (links[i] < PARADT__HULL) { // tied from an earlier row
+                links[i] = -2 - links[i];
+            } else if (links[i] == PARADT__HULL) {
+                status = paradt__list_append(&arranging->hull, base + i, g->memory);
+                for (j = 0; j < corners; j++) {
+                    if (j != i) g->kind[row[j]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
+                }
+            } else if (paradt__diagram_across(links[i], facets, corners) <= (paradt_index)cell ||
+                       !paradt__diagram_tie(g, row, base + i, facets, corners)) {
+                status = PARADT_ERROR_INVALID;
+            }
+        }
     }
-    if (!status && corners == 4) status = paradt__diagram_fill(g, mesh, to, 4);
-    else if (!status) status = paradt__diagram_fill(g, mesh, to, 3);
-    for (i = 0; i < g->cells * corners && !status; i++) {
-        if (paradt__meter_stops(g->meter, i)) status = PARADT_ERROR_CANCELLED;
-        g->kind[mesh->vertices[i]] = PARADT__CELL_THERE;
-    }
-    for (; i < mesh->count * corners && !status; i++) { // ghosts
-        if (mesh->vertices[i] >= 0) g->kind[mesh->vertices[i]] |= PARADT__CELL_CLIPPED | PARADT__CELL_HULL;
-    }
-    paradt__release(g->memory, to);
-    paradt__release(g->memory, scratch);
     return status;
 }
 
-// Makes the rows, and finds which points are vertices. kind has been cleared.
-static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh *mesh) {
+// Has the hull a neighbour across each of its ridges? Asked of a mesh of its ghosts alone.
+static paradt_status paradt__diagram_close(const paradt__diagram *g, const paradt__list *hull, int corners) {
+    paradt__mesh ghosts;
+    paradt__facets ridges;
+    size_t at;
+    paradt_status status = paradt__facets_begin(&ridges, 0, 1, g->memory);
+    paradt__mesh_begin(&ghosts, corners, 0);
+    if (!status) status = paradt__mesh_reserve(&ghosts, hull->count, hull->count, g->memory);
+    for (at = 0; at < hull->count && !status; at++) {
+        const paradt_index handle = hull->items[at], cell = handle / corners;
+        const paradt_index *row = paradt__row_vertices(g, (size_t)cell, g->row_bytes);
+        status = paradt__facets_room(&ridges, (size_t)corners, g->memory);
+        if (!status) paradt__facets_add_ghost(&ridges, &ghosts, row, (int)(handle - cell * corners), corners);
+    }
+    if (!status && ridges.count) status = PARADT_ERROR_INVALID;
+    paradt__facets_free(&ridges, g->memory);
+    paradt__mesh_free(&ghosts, g->memory);
+    return status;
+}
+
+// Fills the rows of a triangulation that is as wide as space. first: [set.count + 1] scratch
+PARADT__INLINE paradt_status paradt__diagram_arrange(const paradt__diagram *g, paradt__arranging *arranging,
+                                                     paradt_index *first, int corners) {
+    paradt_status status = paradt__diagram_sort_cells(g, arranging, first, corners);
+    if (!status) status = paradt__diagram_fill(g, arranging, corners);
+    return status ? status : paradt__diagram_link(g, arranging, corners);
+}
+
+// Makes the rows of a triangulation that is as wide as space. facets: its links are half-facets
+PARADT__HOT paradt_status paradt__diagram_rows_centred(paradt__diagram *g, const paradt_triangulation *t, int facets) {
+    const int corners = t->dim + 1;
+    paradt__arranging arranging;
+    paradt_index *first = (paradt_index *)paradt__alloc_filled(g->memory, g->set.count + 1, sizeof *first);
+    paradt_status status = PARADT_ERROR_MEMORY;
+    memset(&arranging, 0, sizeof arranging);
+    arranging.t = t;
+    arranging.facets = facets;
+    arranging.point = (paradt_index *)paradt__alloc_filled(g->memory, g->set.count, sizeof *arranging.point);
+    arranging.cell = (paradt_index *)paradt__alloc_filled(g->memory, g->cells, sizeof *arranging.cell);
+    if (first && arranging.point && arranging.cell) status = paradt__diagram_sort_points(g, arranging.point);
+    if (!status && corners == 4) status = paradt__diagram_arrange(g, &arranging, first, 4);
+    else if (!status) status = paradt__diagram_arrange(g, &arranging, first, 3);
+    g->hull = arranging.hull.count;
+    if (!status) status = paradt__diagram_close(g, &arranging.hull, corners);
+    paradt__list_free(&arranging.hull, g->memory);
+    paradt__release(g->memory, arranging.cell);
+    paradt__release(g->memory, arranging.point);
+    paradt__release(g->memory, first);
+    return status;
+}
+
+// Makes the rows of any other triangulation, whose vertices are all that is wanted, and marks these. A mesh of it shows
+// whether it is one.
+static paradt_status paradt__diagram_rows_bare(paradt__diagram *g, const paradt_triangulation *t, int facets) {
+    const size_t corners = (size_t)t->dim + 1;
+    paradt__mesh mesh;
+    size_t i;
+    paradt_status status = paradt__given_mesh(&mesh, t, facets, g->memory, g->meter);
+    g->hull = mesh.count - g->cells;
+    paradt__mesh_free(&mesh, g->memory);
+    for (i = 0; i < g->cells * corners && !status; i++) {
+        paradt__row_vertices(g, i / corners, g->row_bytes)[i % corners] = t->cells[i];
+        g->kind[t->cells[i]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
+    }
+    return status;
+}
+
+// Makes the rows, and finds which points are vertices. kind has been cleared. facets: links are half-facets
+static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt_triangulation *t, int facets) {
     enum { LINE = 64, PACE = 1 << 16 }; // bytes; cells whose pages are made at once
-    size_t corners = (size_t)mesh->corners, cell, j;
-    g->centred = g->k == g->d && g->d <= 3;
-    g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : corners * sizeof(paradt_index);
+    size_t cell;
+    g->row_bytes = g->centred ? PARADT__ROW_BYTES(g->d) : (size_t)(g->k + 1) * sizeof(paradt_index);
+    if (g->cells > paradt__most_cells(g->k + 1)) return PARADT_ERROR_INVALID;
     if (g->cells > (SIZE_MAX / 2 - LINE) / g->row_bytes) return PARADT_ERROR_MEMORY;
     g->rows_block = (char *)paradt__alloc(g->memory, g->cells * g->row_bytes + LINE, 1);
     if (!g->rows_block) return PARADT_ERROR_MEMORY;
@@ -28887,15 +29013,7 @@ static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh
     }
     g->rows = g->rows_block + (LINE - (uintptr_t)g->rows_block % LINE) % LINE;
     if (paradt__meter_cancels(g->meter)) return PARADT_ERROR_CANCELLED;
-    if (g->centred) return paradt__diagram_rows_centred(g, mesh);
-    for (cell = 0; cell < g->cells; cell++) {
-        paradt_index *row = paradt__row_vertices(g, cell, g->row_bytes);
-        for (j = 0; j < corners; j++) {
-            row[j] = mesh->vertices[cell * corners + j];
-            g->kind[row[j]] = PARADT__CELL_THERE | PARADT__CELL_CLIPPED;
-        }
-    }
-    return PARADT_OK;
+    return g->centred ? paradt__diagram_rows_centred(g, t, facets) : paradt__diagram_rows_bare(g, t, facets);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -28906,6 +29024,9 @@ static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt__mesh
 // cells that are too flat for that get theirs rounded once from integers. Cells with the same sphere have the same
 // vertex, of which each has a number of its own, within its error. Here it shows, too, which cells of the diagram need
 // no clipping: of those all vertices are certainly inside of all walls, and none is at infinity.
+//
+// In space some cells are computed together, number by number next to each other, so that compilers make vectors of
+// them. Each sum is that of a cell alone: the number of lanes changes no digit.
 // Doors: paradt__centres_make, paradt__centre_of, paradt__centres_agree, paradt__centres_differ.
 
 PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
@@ -28935,13 +29056,27 @@ PARADT__NOINLINE int paradt__centre_exact(const paradt__diagram *g, const paradt
     return 1;
 }
 
+// Places the centre, which is y from the first vertex: see paradt__diagram_meet. Returns its largest coordinate.
+PARADT__INLINE double paradt__centre_place(const paradt__diagram *g, const paradt_index *vertices, const double *y,
+                                           double *centre, int d) {
+    const double *base = paradt__diagram_point(g, vertices[0]);
+    double largest = 0;
+    int i;
+    PARADT__UNROLL
+    for (i = 0; i < d; i++) {
+        centre[i] = base[i] + y[i];
+        largest = paradt__larger(largest, paradt__abs(centre[i]));
+    }
+    centre[d] = y[d] + PARADT__ROUNDOFF * largest;
+    return largest;
+}
+
 // Computes the centre of a cell. Returns 0 if the cell is flat.
 PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt_index *vertices, double *centre,
                                           int d) {
     paradt__halfspace planes[PARADT_MAX_DIM];
     const paradt__halfspace *h[PARADT_MAX_DIM];
-    const double *base = paradt__diagram_point(g, vertices[0]);
-    double y[PARADT_MAX_DIM + 1], largest = 0;
+    double y[PARADT_MAX_DIM + 1], largest;
     int i, known;
     PARADT__UNROLL
     for (i = 0; i < d; i++) {
@@ -28950,15 +29085,88 @@ PARADT__INLINE int paradt__centre_compute(const paradt__diagram *g, const paradt
     }
     known = paradt__diagram_meet(g, h, d, 0, y);
     PARADT_CLAIM(meet, g, vertices, y, d);
-    PARADT__UNROLL
-    for (i = 0; i < d; i++) {
-        centre[i] = base[i] + y[i];
-        largest = paradt__larger(largest, paradt__abs(centre[i]));
-    }
-    centre[d] = y[d] + PARADT__ROUNDOFF * largest;
+    largest = paradt__centre_place(g, vertices, y, centre, d);
     if (!g->imprecise && (known || y[d] <= 32 * PARADT__ROUNDOFF * largest)) return 1;
     return paradt__centre_exact(g, vertices, centre);
 }
+
+#if PARADT_MAX_DIM >= 3
+enum { PARADT__CENTRES = 16 }; // computed together: what is gathered for a vector is written long before it is read
+
+// The centres of some cells in space relative to their first vertices, number by number next to each other
+typedef struct paradt__centre_lanes {
+    double normal[9][PARADT__CENTRES], offset[3][PARADT__CENTRES], size[3][PARADT__CENTRES]; // of the bisectors
+    double n[4][PARADT__CENTRES], sizes[4][PARADT__CENTRES];                                 // determinants
+    double y[4][PARADT__CENTRES];                                                            // see paradt__diagram_meet
+    double known[PARADT__CENTRES];
+} paradt__centre_lanes;
+
+// Gathers the bisectors of a cell's edges at its first vertex.
+PARADT__INLINE void paradt__centre_gather(const paradt__diagram *g, const paradt_index *vertices,
+                                          paradt__centre_lanes *lanes, size_t at) {
+    const double *base = paradt__diagram_point(g, vertices[0]);
+    int i, j;
+    PARADT__UNROLL
+    for (i = 0; i < 3; i++) {
+        const double *to = paradt__diagram_point(g, vertices[i + 1]);
+        PARADT__UNROLL
+        for (j = 0; j < 3; j++) lanes->normal[3 * i + j][at] = to[j] - base[j];
+        lanes->offset[i][at] = g->weighted ? base[3] - to[3] : 0;
+        lanes->size[i][at] = g->weighted ? paradt__abs(base[3]) + paradt__abs(to[3]) : 0;
+    }
+}
+
+// Computes the centres of what is gathered: the sums and bounds of paradt__diagram_bisector and paradt__diagram_meet.
+PARADT__INLINE void paradt__centre_lanes_meet(double tiny, paradt__centre_lanes *lanes) {
+    const double det_factor = PARADT__ROUNDOFF * 1.01 * (3 + 5);
+    const double factor = PARADT__ROUNDOFF * 1.01 * (3 - 1 + PARADT__OFFSET_ROUNDINGS(3) + 5);
+    size_t at;
+    for (at = 0; at < PARADT__CENTRES; at++) {
+        double det, det_error, largest = 0, error = 0;
+        int i, j;
+        PARADT__UNROLL
+        for (i = 0; i < 3; i++) {
+            const double x = lanes->normal[3 * i][at], y = lanes->normal[3 * i + 1][at];
+            const double z = lanes->normal[3 * i + 2][at], squares = x * x + y * y + z * z;
+            lanes->offset[i][at] = (squares + lanes->offset[i][at]) * 0.5;
+            lanes->size[i][at] = (squares + lanes->size[i][at]) * 0.5 + tiny;
+        }
+        paradt__diagram_three(&lanes->normal[0][at], &lanes->offset[0][at], &lanes->size[0][at], PARADT__CENTRES,
+                              &lanes->n[0][at], &lanes->sizes[0][at]);
+        det = paradt__abs(lanes->n[3][at]);
+        det_error = det_factor * lanes->sizes[3][at] + tiny;
+        PARADT__UNROLL
+        for (j = 0; j < 3; j++) {
+            double value = lanes->n[j][at] / lanes->n[3][at], size = factor * lanes->sizes[j][at];
+            lanes->y[j][at] = value;
+            error = error > size ? error : size;
+            largest = largest > paradt__abs(value) ? largest : paradt__abs(value);
+        }
+        error = (error + tiny + largest * det_error) / (det - det_error) * (1 + 16 * PARADT__ROUNDOFF) +
+                2 * PARADT__ROUNDOFF * largest;
+        lanes->y[3][at] = error;
+        lanes->known[at] = (det > 2 * det_error) & (error <= 256 * PARADT__ROUNDOFF * largest) ? 1.0 : 0.0;
+    }
+}
+
+typedef void (*paradt__centre_lanes_function)(double tiny, paradt__centre_lanes *lanes);
+
+PARADT__NOINLINE void paradt__centre_lanes_plain(double tiny, paradt__centre_lanes *lanes) {
+    paradt__centre_lanes_meet(tiny, lanes);
+}
+#ifdef PARADT__AVX2_ROUNDED
+PARADT__AVX2_ROUNDED PARADT__NOINLINE void paradt__centre_lanes_avx2(double tiny, paradt__centre_lanes *lanes) {
+    paradt__centre_lanes_meet(tiny, lanes);
+}
+#endif
+
+static paradt__centre_lanes_function paradt__centre_lanes_of_machine(void) {
+#ifdef PARADT__AVX2_ROUNDED
+    if (__builtin_cpu_supports("avx2")) return paradt__centre_lanes_avx2;
+#endif
+    return paradt__centre_lanes_plain;
+}
+#endif
 
 // Is a place certainly inside of all walls?
 PARADT__INLINE int paradt__centre_is_inside(const paradt__diagram *g, const double *centre, int d) {
@@ -28987,30 +29195,75 @@ PARADT__INLINE int paradt__centre_is_inside(const paradt__diagram *g, const doub
 typedef struct paradt__centring {
     paradt__diagram *g;
     const paradt__team *team;
+#if PARADT_MAX_DIM >= 3
+    paradt__centre_lanes_function compute;
+#endif
     paradt_status status[PARADT__MOST_TASKS];
 } paradt__centring;
 
-PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t task, int d) {
-    const paradt__diagram *g = centring->g;
-    size_t cell, end = paradt__loader_range(centring->team, g->cells, task, &cell), first = cell;
+// Marks the vertices of a cell whose centre may be outside of a wall.
+PARADT__INLINE void paradt__centre_judge(const paradt__diagram *g, const paradt_index *vertices, const double *centre,
+                                         int d) {
     int i;
+    if (paradt__centre_is_inside(g, centre, d)) return;
+    for (i = 0; i <= d; i++) {
+        unsigned char *kind = &g->kind[vertices[i]], known = PARADT__ATOMIC_LOAD(kind);
+        if (!(known & PARADT__CELL_CLIPPED)) PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
+    }
+}
+
+// Computes the centres of cells one by one. Returns 0 if one is flat.
+PARADT__INLINE int paradt__centres_one_by_one(const paradt__diagram *g, size_t cell, size_t end, int d) {
     for (; cell < end; cell++) {
         const paradt_index *vertices = paradt__row_vertices(g, cell, PARADT__ROW_BYTES(d));
         double *centre = paradt__row_centre(vertices, d);
-        if (cell % PARADT__DIAGRAM_PACE == 0 &&
-            paradt__team_cancels(centring->team, task, (double)(cell - first) / (double)(end - first)))
-            return;
-        if (!paradt__centre_compute(g, vertices, centre, d)) {
-            centring->status[task] = PARADT_ERROR_INVALID;
-            return;
-        }
-        if (paradt__centre_is_inside(g, centre, d)) continue;
-        for (i = 0; i <= d; i++) {
-            unsigned char *kind = &g->kind[vertices[i]], known = PARADT__ATOMIC_LOAD(kind);
-            if (!(known & PARADT__CELL_CLIPPED))
-                PARADT__ATOMIC_SET(kind, (unsigned char)(known | PARADT__CELL_CLIPPED));
-        }
+        if (!paradt__centre_compute(g, vertices, centre, d)) return 0;
+        paradt__centre_judge(g, vertices, centre, d);
     }
+    return 1;
+}
+
+#if PARADT_MAX_DIM >= 3
+// Computes the centres of PARADT__CENTRES cells in space together, but for those of flat ones. Returns 0 if one is
+// flat.
+PARADT__INLINE int paradt__centres_together(const paradt__diagram *g, paradt__centre_lanes_function compute,
+                                            size_t cell) {
+    paradt__centre_lanes lanes;
+    size_t at;
+    int j;
+    for (at = 0; at < PARADT__CENTRES; at++)
+        paradt__centre_gather(g, paradt__row_vertices(g, cell + at, PARADT__ROW_BYTES(3)), &lanes, at);
+    compute(g->tiny, &lanes);
+    for (at = 0; at < PARADT__CENTRES; at++) {
+        const paradt_index *vertices = paradt__row_vertices(g, cell + at, PARADT__ROW_BYTES(3));
+        double *centre = paradt__row_centre(vertices, 3), y[4];
+        if (g->imprecise | !(lanes.known[at] > 0)) {
+            if (!paradt__centres_one_by_one(g, cell + at, cell + at + 1, 3)) return 0;
+            continue;
+        }
+        for (j = 0; j < 4; j++) y[j] = lanes.y[j][at];
+        PARADT_CLAIM(meet, g, vertices, y, 3);
+        paradt__centre_place(g, vertices, y, centre, 3);
+        paradt__centre_judge(g, vertices, centre, 3);
+    }
+    return 1;
+}
+#endif
+
+PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t task, int d) {
+    const paradt__diagram *g = centring->g;
+    size_t cell, end = paradt__loader_range(centring->team, g->cells, task, &cell), first = cell, next;
+    int fine = 1;
+    for (; cell < end && fine; cell = next) {
+        next = end - cell > PARADT__DIAGRAM_PACE ? cell + PARADT__DIAGRAM_PACE : end;
+        if (paradt__team_cancels(centring->team, task, (double)(cell - first) / (double)(end - first))) return;
+#if PARADT_MAX_DIM >= 3
+        for (; d == 3 && next - cell >= PARADT__CENTRES && fine; cell += PARADT__CENTRES)
+            fine = paradt__centres_together(g, centring->compute, cell);
+#endif
+        fine = fine && paradt__centres_one_by_one(g, cell, next, d);
+    }
+    if (!fine) centring->status[task] = PARADT_ERROR_INVALID;
 }
 
 PARADT__HOT void paradt__centres_task(void *context, size_t task) {
@@ -29026,6 +29279,9 @@ static paradt_status paradt__centres_make(paradt__diagram *g, const paradt__team
     size_t task;
     centring.g = g;
     centring.team = team;
+#if PARADT_MAX_DIM >= 3
+    centring.compute = paradt__centre_lanes_of_machine();
+#endif
     memset(centring.status, 0, sizeof centring.status);
     paradt__team_run(team, paradt__centres_task, &centring);
     if (paradt__team_cancelled(team)) return PARADT_ERROR_CANCELLED;
@@ -31344,27 +31600,22 @@ static paradt_status paradt__voronoi_scale(paradt__voronoi_work *work) {
 // Reads the triangulation and its points.
 PARADT__HOT paradt_status paradt__voronoi_read(paradt__voronoi_work *work, const paradt_triangulation *t,
                                                const paradt_points *points, size_t *bad) {
+    const int facets = (work->options.flags & PARADT_FACETS) != 0;
     paradt__diagram *g = &work->g;
-    paradt__mesh mesh;
     paradt_status status = PARADT_OK;
-    memset(&mesh, 0, sizeof mesh);
     g->d = points->dim;
     g->k = t->cell_count ? t->dim : -1;
+    g->cells = g->k >= 1 ? t->cell_count : 0;
+    g->centred = g->k == g->d && g->d <= 3;
     g->weighted = points->weights != NULL;
     g->memory = &work->memory;
     g->meter = &work->meter;
-    if (g->k >= 1) {
-        int facets = (work->options.flags & PARADT_FACETS) != 0;
-        status = paradt__given_mesh(&mesh, t, facets, &work->memory, &work->meter);
-        g->cells = t->cell_count;
-        g->hull = mesh.count - g->cells;
-    }
-    if (!status) status = paradt__given_set(&g->set, t, points, &work->memory, &work->meter, bad);
     g->kind = (unsigned char *)paradt__alloc(&work->memory, points->count, 1);
-    if (!status && !g->kind) status = PARADT_ERROR_MEMORY;
-    if (!status) memset(g->kind, 0, points->count);
-    if (!status && g->k >= 1) status = paradt__diagram_rows(g, &mesh);
-    paradt__mesh_free(&mesh, &work->memory);
+    if (!g->kind) return PARADT_ERROR_MEMORY;
+    memset(g->kind, 0, points->count);
+    if (g->cells && !g->centred) status = paradt__diagram_rows(g, t, facets); // the set relies on their vertices
+    if (!status) status = paradt__given_set(&g->set, t, points, &work->memory, &work->meter, bad);
+    if (g->centred && !status) status = paradt__diagram_rows(g, t, facets);
     if (status || g->k != 0) return status;
     // a triangulation of one vertex, which has no mesh
     if (t->cells[0] < 0 || (size_t)t->cells[0] >= points->count) return PARADT_ERROR_INVALID;
@@ -31761,6 +32012,8 @@ PARADT__HOT paradt_status paradt__voronoi_run(paradt__voronoi_work *work, const 
     if (!status) status = paradt__voronoi_cells(work, out);
     if (!status && work->wants & faces) {
         if (work->wants & PARADT_VORONOI_POLYGONS) status = paradt__voronoi_polygons(work, out);
+        paradt__release(g->memory, g->rows_block); // half of all memory
+        g->rows_block = NULL;
         if (!status) status = paradt__voronoi_faces(work, out);
     }
     return status;

@@ -222,6 +222,17 @@ static size_t apex_of_a_later_neighbour(const paradt_triangulation *t, int facet
     }
 }
 
+// Fails unless a triangulation is refused: by all that reads one. It is released.
+static void expect_refused(paradt_triangulation *t, const paradt_points *points, const paradt_options *options) {
+    paradt_locator *locator = NULL;
+    paradt_voronoi v;
+    assert_int_equal(paradt_locator_create(&locator, t, points, options), PARADT_ERROR_INVALID);
+    assert_int_equal(paradt_voronoi_compute(&v, t, points, NULL, options), PARADT_ERROR_INVALID);
+    assert_int_equal(paradt_repair(t, points, options, NULL), PARADT_ERROR_INVALID);
+    assert_int_equal(t->dim, -1);
+    paradt_free(t);
+}
+
 // A vertex that is no point is found before its coordinates are asked for, in a cell that is yet to be looked at, too.
 static void vertices_that_are_no_points_are_invalid(void **state) {
     static const paradt_index wrong[] = {1000000000, 500, -1, INT32_MIN};
@@ -234,9 +245,7 @@ static void vertices_that_are_no_points_are_invalid(void **state) {
             options.flags = facets ? PARADT_FACETS : 0;
             paradt_triangulation t = triangulation_of(&s, &options);
             t.cells[apex_of_a_later_neighbour(&t, facets)] = wrong[i];
-            assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_INVALID);
-            assert_int_equal(t.dim, -1);
-            paradt_free(&t);
+            expect_refused(&t, &points, &options);
         }
     sample_free(&s);
 }
@@ -253,8 +262,7 @@ static void links_to_nowhere_are_invalid(void **state) {
             options.flags = facets ? PARADT_FACETS : 0;
             paradt_triangulation t = triangulation_of(&s, &options);
             t.neighbors[3] = wrong[i];
-            assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_INVALID);
-            paradt_free(&t);
+            expect_refused(&t, &points, &options);
         }
     sample_free(&s);
 }
@@ -267,8 +275,7 @@ static void expect_invalid(const sample *s, int facets, const size_t *places, co
     paradt_triangulation t = triangulation_of(s, &options);
     for (int i = 0; i < count; i++)
         t.neighbors[places[i]] = values[i];
-    assert_int_equal(paradt_repair(&t, &points, &options, NULL), PARADT_ERROR_INVALID);
-    paradt_free(&t);
+    expect_refused(&t, &points, &options);
 }
 
 static sample few_uniform_points(int dim) {
@@ -334,6 +341,49 @@ static void links_to_open_facets_are_invalid(void **state) {
         paradt_free(&half);
         sample_free(&s);
     }
+}
+
+// Two neighbours are linked to themselves across their facet.
+static void cells_that_are_their_own_neighbours_are_invalid(void **state) {
+    (void)state;
+    for (int d = 2; d <= 3; d++) {
+        sample s = few_uniform_points(d);
+        paradt_options options = {0};
+        options.flags = PARADT_FACETS;
+        paradt_triangulation half = triangulation_of(&s, &options);
+        const paradt_index corners = d + 1;
+        for (paradt_index at = 0; at < (paradt_index)half.cell_count * corners; at++) {
+            const paradt_index mirror = half.neighbors[at], own[] = {at / corners, mirror / corners}, itself[] = {at, mirror};
+            const size_t places[] = {(size_t)at, (size_t)mirror};
+            if (mirror < at)
+                continue;
+            expect_invalid(&s, 0, places, own, 2);
+            expect_invalid(&s, 1, places, itself, 2);
+        }
+        paradt_free(&half);
+        sample_free(&s);
+    }
+}
+
+// Two cells are linked that have no facet in common, though the exclusive or of their vertices tells the one from the other: then
+// the hull has ridges with one facet.
+static void neighbours_without_a_common_facet_are_invalid(void **state) {
+    static const paradt_index cells[2][8] = {{1, 2, 3, 0, 4, 5}, {0, 1, 2, 3, 5, 4, 8, 12}};
+    (void)state;
+    for (int facets = 0; facets < 2; facets++)
+        for (int d = 2; d <= 3; d++) {
+            sample s = few_uniform_points(d);
+            paradt_points points = points_of(&s);
+            paradt_options options = {0};
+            options.flags = facets ? PARADT_FACETS : 0;
+            paradt_triangulation t = triangulation_of(&s, &options);
+            memcpy(t.cells, cells[d - 2], 2 * (size_t)(d + 1) * sizeof *t.cells);
+            for (int at = 0; at < 2 * (d + 1); at++)
+                t.neighbors[at] = at == 0 ? (facets ? d + 1 : 1) : at == d + 1 ? 0 : -1;
+            t.cell_count = 2;
+            expect_refused(&t, &points, &options);
+            sample_free(&s);
+        }
 }
 
 // One vertex takes the place of its neighbour, everywhere.
@@ -564,6 +614,8 @@ int main(void) {
         cmocka_unit_test(links_to_nowhere_are_invalid),
         cmocka_unit_test(a_single_wrong_link_is_invalid),
         cmocka_unit_test(links_to_open_facets_are_invalid),
+        cmocka_unit_test(cells_that_are_their_own_neighbours_are_invalid),
+        cmocka_unit_test(neighbours_without_a_common_facet_are_invalid),
         cmocka_unit_test(cells_that_have_a_vertex_twice_are_invalid),
         cmocka_unit_test(many_hidden_points_are_built_anew),
         cmocka_unit_test(the_first_of_points_at_one_place_stands_for_them),
