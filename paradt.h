@@ -1583,7 +1583,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //   search
 //     grid                         375   a hierarchy of boxes over a set
 //     search kernels               390   tests of eight boxes or points together
-//     pencil                       499   the spheres through a facet
+//     pencil                       506   the spheres through a facet
 //     search                       377   the apex of a facet, a point in a sphere
 //     questions                     76   the same of cells of others' points
 //   making
@@ -7492,7 +7492,7 @@ PARADT__OPTIONAL paradt_status paradt__grid_list_within(const paradt__grid *grid
 // u = 2^-52 holds in every rounding mode. A term of a sum passes through a difference (u), at most 2 products (2u), and
 // at most d + 2 additions in any order, and once more through as much where a box and a point in it are compared. That
 // is a quarter of K: with it, and with slacks that are set to twice what is needed and hold for the whole facet, errors
-// of F and N that tests/bounds.c finds are a twentieth to a thirteenth of their bounds.
+// of F and N that tests/bounds.c finds are about a twentieth of their bounds, and more where they are mostly residuals.
 #define PARADT__ROUND(dim) (8.0 * ((dim) + 6) * 2.220446049250313e-16)
 #define PARADT__NO_BOUND   3.2733906078961419e150 // 2^500: larger than all of a filtered set, its square finite
 
@@ -7880,6 +7880,13 @@ static paradt__kernels paradt__kernels_choose(int ambient, int grade) {
 // |e*_i|_max is the inverse sine of the facet's angles: while it stays below 2^36, the relative error of the dual basis
 // is below 2^-10, and a factor of 2 in the slacks covers it. A facet more needle-like than that gets slacks so large
 // that nothing is ruled out and all is decided exactly.
+//
+// From four dimensions on the residuals may be most of the error. The base and the normal found by Gram-Schmidt have
+// r_i and s_i of some roundoffs of |base| |e_i| and |normal| |e_i|, and more where the rows lose their right angles.
+// Where e_i lies along an axis, and the base or the normal along others, the sizes of the sum's terms are far smaller
+// than these products. There errors reach 10^5 times the bounds without residuals. With them N errs by half of its
+// bound, for the factor of 2, and F by a quarter, for its slacks are doubled again (tests/bounds.c). In two and three
+// dimensions each component of the cross products errs with its own terms; climbs reach no more without residuals.
 //
 // A search keeps one pencil and sets it facet by facet. Doors: paradt__pencil_begin, paradt__pencil_set_facet,
 // paradt__pencil_set_sphere, paradt__pencil_set_whole_sphere, paradt__pencil_is_inside, paradt__pencil_is_outside,

@@ -445,6 +445,18 @@ static void ask_search(const hill *h, const double *const *p) {
     paradt__search_point(&s, (size_t)h->k + 2);
 }
 
+// The same where all axes but the first are 2^-option as long: facets are needles.
+static void ask_needle(const hill *h, const double *const *p) {
+    static double records[MOST_ROWS][WIDTH];
+    const double *squeezed[MOST_ROWS];
+    for (int i = 0; i < h->rows; i++) {
+        for (int j = 0; j < h->d; j++)
+            records[i][j] = j ? ldexp(p[i][j], -h->option) : p[i][j];
+        squeezed[i] = records[i];
+    }
+    ask_search(h, squeezed);
+}
+
 // --- climbing
 
 // How much of the known ratio is to be reached: where products are contracted, other places are the highest
@@ -660,8 +672,12 @@ static const hill hills[] = {
     {"search, F, 3", SEARCH_F, 6, 3, 3, 0, ask_search, 0.045, 0},
     {"search, F, 3, weighted", SEARCH_F, 6, 3, 3, 1, ask_search, 0.051, 0},
     {"search, F, 4", SEARCH_F, 7, 4, 4, 0, ask_search, 0.067, 0},
+    {"search, F, 4, needle", SEARCH_F, 7, 4, 4, 0, ask_needle, 0.223, 14},
+    {"search, F, 5, needle", SEARCH_F, 8, 5, 5, 0, ask_needle, 0.086, 14},
     {"search, N, 2", SEARCH_N, 5, 2, 2, 0, ask_search, 0.047, 0},
     {"search, N, 3", SEARCH_N, 6, 3, 3, 0, ask_search, 0.055, 0},
+    {"search, N, 4, needle", SEARCH_N, 7, 4, 4, 0, ask_needle, 0.500, 18},
+    {"search, N, 5, needle", SEARCH_N, 8, 5, 5, 0, ask_needle, 0.500, 14},
     {"plane of a cell, 2", PLANE_CELL, 4, 2, 2, 0, ask_plane, 0.121, 0},
     {"plane of a cell, 3", PLANE_CELL, 5, 3, 3, 0, ask_plane, 0.160, 0},
     {"plane of a cell, 3, weighted", PLANE_CELL, 5, 3, 3, 1, ask_plane, 0.341, 0},

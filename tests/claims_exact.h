@@ -172,15 +172,15 @@ static void claim_search(const paradt__search *s, const double *x, double f, dou
             claim_decision(SEARCH_SIDE, !outside);
         else if (n > n_bound)
             claim_decision(SEARCH_SIDE, outside);
-        if ((k == 2 || k == 3) && !pencil.certain && n_bound < PARADT__NO_BOUND) {
+        if (!pencil.certain && n_bound < PARADT__NO_BOUND) {
             // The true N is normal . v times v . u, v the unit vector perpendicular to the facet.
             dyadic *along = claim_number(7), *square = claim_number(8), *t = claim_number(9);
-            dyadic v[3];
+            dyadic v[PARADT_MAX_DIM];
             dy_set(along, 0);
             dy_set(square, 0);
             for (int j = 0; j < k; j++) { // the cofactors of the last row
-                double other[3][2];
-                const double *q[3];
+                double other[PARADT_MAX_DIM][PARADT_MAX_DIM - 1];
+                const double *q[PARADT_MAX_DIM];
                 for (int i = 0; i < k; i++) {
                     for (int c = 0, l = 0; c < k; c++)
                         if (c != j)
