@@ -1652,8 +1652,8 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     filling holes                466   what fills it
 //     past of a living set         245   location by all cells that there were
 //     state of a living set        436   columns, hidden and coincident points
-//     journal of a living set      350   how changes are noted and undone
-//     changes of a living set      488   one point comes, goes or moves; the set anew
+//     journal of a living set      389   how changes are noted and undone
+//     changes of a living set      496   one point comes, goes or moves; the set anew
 //     making a living set          256   the set anew
 //     living set                   464   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
@@ -26726,55 +26726,62 @@ PARADT__INLINE int paradt__living_is_fresh(const paradt_dynamic *d, paradt_index
     return d->made.count && d->build.scene.mesh.marks[place] & PARADT__FRESH;
 }
 
-// Is told of a hole, whose cells and rim build->update.killed and build->rim are: makes room for what replaces them,
-// and enters them into the journal. Nothing fails between this and paradt__living_settle.
-static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
+// Enters a hole into the journal, for which there is room. corners: a constant, for a division by a variable takes
+// longer than all else here
+PARADT__INLINE void paradt__living_note_hole(paradt_dynamic *d, paradt_index corners) {
     const paradt__insertion *build = &d->build;
     paradt__mesh *mesh = &d->build.scene.mesh;
-    const paradt_index *owner = d->column[PARADT__OWNER];
-    paradt_index corners = mesh->corners;
-    size_t i, j, row = (size_t)corners;
-    paradt_status status = paradt__living_mesh_room(d, made);
-    for (i = 0; i < build->update.killed_count && d->weighted && !status; i++)
-        status = paradt__living_loosen(d, paradt__mesh_cell(mesh, build->update.killed[i]));
-    if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
-    if (status) return status;
-    for (i = 0; i < build->update.killed_count; i++) {
-        const paradt_index *vertices = mesh->vertices + paradt__mesh_cell(mesh, build->update.killed[i]) * corners;
-        for (j = 0; j < row; j++) {
-            PARADT__FETCH(owner, vertices[j]);
-            PARADT__FETCH(d->column[PARADT__CELL], vertices[j]);
-        }
-    }
-    for (i = 0; i < build->rim_count && d->steps; i++)
-        PARADT__FETCH(mesh->marks, paradt__mesh_cell(mesh, mesh->links[build->rim[i]]));
+    const paradt_index *owner = d->column[PARADT__OWNER], *killed = build->update.killed;
+    paradt_index *numbers = d->killed_numbers.items + d->killed_numbers.count;
+    paradt_index *vertices = d->killed_vertices.items + d->killed_vertices.count;
+    paradt_index *to = d->killed.items + d->killed.count, *torn = d->torn.items + d->torn.count, j;
+    size_t i;
+    for (i = 0; i < build->rim_count && d->steps; i++) PARADT__FETCH(mesh->marks, mesh->links[build->rim[i]] / corners);
     for (i = 0; i < build->rim_count; i++) {
-        paradt_index inner = build->rim[i], outer = mesh->links[inner];
-        paradt_index *torn = d->torn.items + d->torn.count;
+        const paradt_index inner = build->rim[i], outer = mesh->links[inner];
         torn[0] = outer;
         torn[1] = inner;
-        if (!paradt__living_is_fresh(d, inner / corners) && !paradt__living_is_fresh(d, outer / corners))
-            d->torn.count += 2;
+        if (!paradt__living_is_fresh(d, inner / corners) && !paradt__living_is_fresh(d, outer / corners)) torn += 2;
     }
     for (i = 0; i < build->update.killed_count; i++) {
-        paradt_index place = paradt__mesh_cell(mesh, build->update.killed[i]), *to = d->killed.items + d->killed.count;
-        int finite = paradt__is_finite_cell(mesh->vertices + place * corners, mesh->corners);
+        const paradt_index place = killed[i] / corners, *row = mesh->vertices + place * corners;
+        const int finite = paradt__is_finite_cell(row, (int)corners);
         d->now.cells -= (size_t)finite;
         if (paradt__living_is_fresh(d, place)) {
             paradt__mesh_unmark(mesh, (size_t)place, PARADT__FRESH);
             continue;
         }
         to[0] = place;
-        for (j = 0; j < row; j++) {
-            to[1 + j] = mesh->vertices[(size_t)place * row + j];
-            to[1 + row + j] = mesh->links[(size_t)place * row + j];
+        for (j = 0; j < corners; j++) {
+            to[1 + j] = row[j];
+            to[1 + corners + j] = mesh->links[place * corners + j];
         }
-        d->killed.count += 1 + 2 * row;
+        to += 1 + 2 * corners;
         paradt__past_kill(&d->past, place);
         if (!finite) continue;
-        d->killed_numbers.items[d->killed_numbers.count++] = place;
-        for (j = 1; j <= row; j++) d->killed_vertices.items[d->killed_vertices.count++] = owner[to[j]];
+        *numbers++ = place;
+        for (j = 0; j < corners; j++) *vertices++ = owner[row[j]];
     }
+    d->torn.count = (size_t)(torn - d->torn.items);
+    d->killed.count = (size_t)(to - d->killed.items);
+    d->killed_numbers.count = (size_t)(numbers - d->killed_numbers.items);
+    d->killed_vertices.count = (size_t)(vertices - d->killed_vertices.items);
+}
+
+// Is told of a hole, whose cells and rim build->update.killed and build->rim are: makes room for what replaces them,
+// and enters them into the journal. Nothing fails between this and paradt__living_settle.
+static paradt_status paradt__living_prepare(paradt_dynamic *d, size_t made) {
+    const paradt__insertion *build = &d->build;
+    const paradt_index corners = build->scene.mesh.corners;
+    size_t i;
+    paradt_status status = paradt__living_mesh_room(d, made);
+    for (i = 0; i < build->update.killed_count && d->weighted && !status; i++)
+        status = paradt__living_loosen(d, build->update.killed[i] / corners);
+    if (!status && d->weighted) status = paradt__living_log_room(d, 6 * (d->loose.count + d->suspects.count) + 16);
+    if (status) return status;
+    if (corners == 3) paradt__living_note_hole(d, 3);
+    else if (corners == 4) paradt__living_note_hole(d, 4);
+    else paradt__living_note_hole(d, corners);
     return PARADT_OK;
 }
 
@@ -26809,22 +26816,30 @@ static void paradt__living_settle_hidden(paradt_dynamic *d, paradt_index gone, p
     d->loose.count = d->suspects.count = 0;
 }
 
-// Marks the new cells that fill a hole.
-static void paradt__living_mark(paradt_dynamic *d) {
+// Marks the new cells that fill a hole. corners: as above
+PARADT__INLINE void paradt__living_mark_cells(paradt_dynamic *d, paradt_index corners) {
     const paradt__update *update = &d->build.update;
     const paradt__mesh *mesh = &d->build.scene.mesh;
-    paradt_index corners = mesh->corners, *cell = d->column[PARADT__CELL], i;
-    size_t at;
+    paradt_index *cell = d->column[PARADT__CELL], *made = d->made.items + d->made.count, i;
+    size_t at, finite = 0;
     for (at = 0; at < update->made_count; at++) {
-        paradt_index place = paradt__mesh_cell(mesh, update->made[at]);
-        const paradt_index *row = mesh->vertices + place * corners;
+        const paradt_index place = update->made[at] / corners, *row = mesh->vertices + place * corners;
         if (d->steps) mesh->marks[place] |= PARADT__FRESH;
-        d->made.items[d->made.count++] = place;
-        d->now.cells += (size_t)paradt__is_finite_cell(row, mesh->corners);
+        made[at] = place;
+        finite += (size_t)paradt__is_finite_cell(row, (int)corners);
         for (i = 0; i < corners; i++) {
             if (row[i] >= 0) cell[row[i]] = place;
         }
     }
+    d->made.count += update->made_count;
+    d->now.cells += finite;
+}
+
+static void paradt__living_mark(paradt_dynamic *d) {
+    const paradt_index corners = d->build.scene.mesh.corners;
+    if (corners == 3) paradt__living_mark_cells(d, 3);
+    else if (corners == 4) paradt__living_mark_cells(d, 4);
+    else paradt__living_mark_cells(d, corners);
 }
 
 // After a hole has been filled: marks the new cells, and finds out what has become of vertices and hidden places.
@@ -26836,9 +26851,25 @@ static void paradt__living_settle(paradt_dynamic *d, paradt_index gone) {
 
 // --- the witness. Flips work on a copy of the set's insertion, which goes back and forth.
 
+// Fetches what is kept of the vertices of a hole, whose cells nothing but the search has met.
+PARADT__INLINE void paradt__living_fetch_hole(const paradt_dynamic *d, const paradt__insertion *build) {
+    const paradt__mesh *mesh = &build->scene.mesh;
+    const paradt_index *owner = d->column[PARADT__OWNER], *cell = d->column[PARADT__CELL];
+    size_t i;
+    int j;
+    for (i = 0; i < build->update.killed_count; i++) {
+        const paradt_index *row = paradt__mesh_row(mesh, paradt__mesh_cell(mesh, build->update.killed[i]));
+        for (j = 0; j < mesh->corners; j++) {
+            PARADT__FETCH(owner, row[j]);
+            PARADT__FETCH(cell, row[j]);
+        }
+    }
+}
+
 static paradt_status paradt__living_dug(paradt__witness *witness, paradt__insertion *build) {
     paradt_dynamic *d = (paradt_dynamic *)(void *)witness;
     paradt_status status;
+    paradt__living_fetch_hole(d, build);
     if (build == &d->build) return paradt__living_prepare(d, build->rim_count);
     d->build = *build;
     status = paradt__living_prepare(d, build->rim_count);
@@ -26931,24 +26962,32 @@ static void paradt__living_name_killed(paradt_dynamic *d) {
         if (d->log.items[at] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at);
 }
 
-// Makes the journal what paradt_dynamic_get_update gives.
-static void paradt__living_publish(paradt_dynamic *d) {
+// Of the cells that were made keeps those that are finite and still there. corners: as above
+PARADT__INLINE void paradt__living_publish_made(paradt_dynamic *d, paradt_index corners) {
     enum { AHEAD = 16 };
     paradt__mesh *mesh = &d->build.scene.mesh;
-    size_t corners = (size_t)mesh->corners, at, made = 0;
-    if (d->renamed) paradt__living_name_killed(d);
+    paradt_index *items = d->made.items;
+    size_t at, made = 0;
     for (at = 0; at < d->made.count; at++) {
-        size_t place = (size_t)d->made.items[at];
+        const paradt_index place = items[at];
         if (at + AHEAD < d->made.count) {
-            PARADT__FETCH(mesh->marks, d->made.items[at + AHEAD]);
-            PARADT__FETCH(mesh->vertices, (size_t)d->made.items[at + AHEAD] * corners);
+            PARADT__FETCH(mesh->marks, items[at + AHEAD]);
+            PARADT__FETCH(mesh->vertices, (size_t)items[at + AHEAD] * (size_t)corners);
         }
         if (d->steps && !(mesh->marks[place] & PARADT__FRESH)) continue;
-        if (d->steps) paradt__mesh_unmark(mesh, place, PARADT__FRESH);
-        if (paradt__is_finite_cell(mesh->vertices + place * corners, mesh->corners))
-            d->made.items[made++] = (paradt_index)place;
+        if (d->steps) paradt__mesh_unmark(mesh, (size_t)place, PARADT__FRESH);
+        if (paradt__is_finite_cell(mesh->vertices + place * corners, (int)corners)) items[made++] = place;
     }
     d->made.count = made;
+}
+
+// Makes the journal what paradt_dynamic_get_update gives.
+static void paradt__living_publish(paradt_dynamic *d) {
+    const paradt_index corners = d->build.scene.mesh.corners;
+    if (d->renamed) paradt__living_name_killed(d);
+    if (corners == 3) paradt__living_publish_made(d, 3);
+    else if (corners == 4) paradt__living_publish_made(d, 4);
+    else paradt__living_publish_made(d, corners);
 }
 
 // Puts the mesh back to what it was.
@@ -27119,31 +27158,38 @@ static paradt_status paradt__living_enter(paradt_dynamic *d, paradt_index positi
     return PARADT_OK;
 }
 
-// Puts the cells of the filling where the hole was.
-static void paradt__living_fill(paradt_dynamic *d) {
+// Puts the cells of the filling where the hole was. corners: a constant, as divisions by variables are slow
+PARADT__INLINE void paradt__living_fill_hole(paradt_dynamic *d, paradt_index corners) {
     paradt__insertion *build = &d->build;
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__update *update = &build->update;
     const paradt__filling *f = &d->filling;
-    paradt_index corners = mesh->corners, i;
-    size_t killed = update->killed_count, at;
-    for (at = 0; at < killed && build->kept; at++)
-        paradt__kept_drop(build->kept, paradt__mesh_cell(mesh, update->killed[at]));
-    for (at = 0; at < f->count; at++)
-        update->made[at] = at < killed ? update->killed[at] : paradt__mesh_take(mesh) * corners;
-    update->made_count = f->count;
-    for (at = f->count; at < killed; at++)
-        paradt__mesh_give(mesh, paradt__mesh_cell(mesh, update->killed[at]), (size_t)corners);
-    for (at = 0; at < f->count; at++) {
-        paradt_index base = update->made[at], from = (paradt_index)at * corners;
-        memcpy(mesh->vertices + base, f->rows.items + from, (size_t)corners * sizeof(paradt_index));
+    const size_t killed = update->killed_count, count = f->count;
+    const paradt_index *rows = f->rows.items, *links = f->links.items;
+    paradt_index *made = update->made, i;
+    size_t at;
+    for (at = 0; at < killed && build->kept; at++) paradt__kept_drop(build->kept, update->killed[at] / corners);
+    for (at = 0; at < count; at++)
+        made[at] = at < killed ? update->killed[at] / corners * corners : paradt__mesh_take(mesh) * corners;
+    update->made_count = count;
+    for (at = count; at < killed; at++) paradt__mesh_give(mesh, update->killed[at] / corners, (size_t)corners);
+    for (at = 0; at < count; at++, rows += corners, links += corners) {
+        const paradt_index base = made[at];
         for (i = 0; i < corners; i++) {
-            paradt_index link = f->links.items[from + i];
+            const paradt_index link = links[i];
+            mesh->vertices[base + i] = rows[i];
             if (link < 0) paradt__mesh_tie(mesh, base + i, ~link);
-            else mesh->links[base + i] = update->made[link / corners] + link % corners;
+            else mesh->links[base + i] = made[link / corners] + link % corners;
         }
     }
     PARADT__VERIFY_SMALL(mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
+}
+
+static void paradt__living_fill(paradt_dynamic *d) {
+    const paradt_index corners = d->build.scene.mesh.corners;
+    if (corners == 3) paradt__living_fill_hole(d, 3);
+    else if (corners == 4) paradt__living_fill_hole(d, 4);
+    else paradt__living_fill_hole(d, corners);
 }
 
 // Takes a vertex out of the mesh.
@@ -27158,9 +27204,10 @@ static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index pos
     paradt__fetch_row(mesh->vertices, mesh->links, (size_t)cell, (size_t)mesh->corners);
     paradt__starts_fetch(&d->starts, paradt__living_record(d, position));
     status = paradt__filling_star(f, build, position, cell);
-    for (at = 0; at < build->update.killed_count && !status; at++) {
+    if (f->polygon) finite = build->update.killed_count; // it has no ghosts
+    for (at = 0; at < build->update.killed_count && (d->weighted || !f->polygon) && !status; at++) {
         paradt_index place = paradt__mesh_cell(mesh, build->update.killed[at]), hidden;
-        finite += (size_t)paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners);
+        if (!f->polygon) finite += (size_t)paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners);
         hidden = d->weighted ? paradt__living_get(d, PARADT__HUNG, place) : (paradt_index)PARADT__OPEN;
         for (; hidden >= 0 && !status; hidden = paradt__living_get(d, PARADT__NEXT_HIDDEN, hidden))
             status = paradt__list_append(&f->points, hidden, &d->memory);
