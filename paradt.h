@@ -1597,11 +1597,11 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 640   conflict tests by one product, in two and three dimensions
 //     digging by spheres           382   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           300   dig and star with kept spheres
+//     stars in the plane           303   dig and star with kept spheres
 //     insertion by spheres         219   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            144   the same for the plane
-//     inserting                    240   insertions from begin to end
+//     inserting                    272   insertions from begin to end
 //     planes                       357   conflict tests by one product, in any dimension
 //     ridge table                  253   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
@@ -1650,7 +1650,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     locator                      644   the entry of queries
 //     holes of vertices            456   the hole where a vertex goes, and wrapping it
 //     filling holes                466   what fills it
-//     past of a living set         245   location by all cells that there were
+//     past of a living set         248   location by all cells that there were
 //     state of a living set        436   columns, hidden and coincident points
 //     journal of a living set      389   how changes are noted and undone
 //     changes of a living set      496   one point comes, goes or moves; the set anew
@@ -11435,9 +11435,9 @@ PARADT__NOINLINE void paradt__kept_ghosts(paradt__insertion *build, paradt__new_
 // What is special to the plane of an insertion with kept spheres: how small cavities are dug, and stars. The rim is a
 // polygon there, so a new cell's neighbours are found by the vertex that they have in common, and vertices need no
 // numbers: kept->number has for each of the rim's vertices which of the new cells sees the rim from there on. Cavities
-// with more than PARADT__MOST_RIM facets are starred by >>insertion.
-// Doors: paradt__plane_spread, paradt__plane_pad, paradt__plane_rows, paradt__plane_star, paradt__plane_ghosts,
-// paradt__plane_make_plain, paradt__plane_dig, paradt__polygon_star, paradt__polygon_ghosts.
+// with more than PARADT__MOST_RIM facets are starred by >>insertion. Small cavities are dug without spheres, too.
+// Doors: PARADT__BY_PREDICATES, paradt__plane_spread, paradt__plane_pad, paradt__plane_rows, paradt__plane_star,
+// paradt__plane_ghosts, paradt__plane_make_plain, paradt__plane_dig, paradt__polygon_star, paradt__polygon_ghosts.
 
 // By place: from a handle in the plane to those of the cell's facets after it and before it. Tables, as compilers make
 // branches of choices, which processors can't predict here.
@@ -11479,9 +11479,12 @@ typedef struct paradt__postponed {
     unsigned conflict; // of the cell across
 } paradt__postponed;
 
+enum { PARADT__BY_PREDICATES = 2 }; // for `nearby`, where no spheres are kept
+
 // Is the cell or ghost in conflict with the point?
 PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt__tag cell,
                                                 const paradt__centred *centred, const double *x, int nearby) {
+    if (nearby == PARADT__BY_PREDICATES) return (unsigned)paradt__conflicts(&build->scene, (paradt_index)cell, x);
     const paradt__sphere *sphere = build->kept->table + (cell & build->kept->mask);
     double power = paradt__kept_power(sphere, centred, 3, nearby), error = paradt__kept_error(sphere, centred, nearby);
     PARADT_CLAIM(power, build, sphere, cell, x, power);
@@ -11644,8 +11647,8 @@ PARADT__NOINLINE void paradt__plane_ghosts(paradt__insertion *build, paradt__new
 }
 
 // Stores the new cells on the facets of the polygon at their places, and links them. The last place is repeated, as in
-// paradt__plane_pad.
-PARADT__INLINE void paradt__polygon_star(paradt__insertion *build, paradt__polygon *polygon, paradt_index point) {
+// paradt__plane_pad. Returns whether there are ghosts among them.
+PARADT__INLINE int paradt__polygon_star(paradt__insertion *build, paradt__polygon *polygon, paradt_index point) {
     paradt_index *made = build->update.made, *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
     paradt_index ghosts = 0, last, a;
     size_t i, count = build->rim_count;
@@ -11666,7 +11669,7 @@ PARADT__INLINE void paradt__polygon_star(paradt__insertion *build, paradt__polyg
         a = b;
     }
     for (i = count; i < count + PARADT__PLANE_TOGETHER - 1; i++) made[i] = last;
-    build->kept->ghosts = ghosts < 0;
+    return ghosts < 0;
 }
 
 // Makes the functions of the two ghosts among the new cells, and fills `star` with the others: those between them.
@@ -11924,7 +11927,7 @@ PARADT__INLINE paradt_status paradt__plane_insert_any(paradt__insertion *build, 
     paradt__kept_dug(build);
     status = paradt__kept_places(build, 3);
     if (status) return status;
-    paradt__polygon_star(build, &polygon, point);
+    build->kept->ghosts = paradt__polygon_star(build, &polygon, point);
     paradt__kept_spheres(build, x, &centred, &polygon, kernels);
     PARADT_ASSERT(build->update.made_count == build->rim_count);
     return PARADT_OK;
@@ -12606,12 +12609,14 @@ PARADT__AVX2 static paradt_status paradt__plane_insert_avx2(paradt__insertion *b
 //
 // An insertion begins with paradt__insertion_begin, or with a struct that is zero but for the fields filled by hand and
 // by paradt__insertion_layout. paradt__insertion_run inserts its points; after a pause paradt__insertion_go goes on.
-// More points follow by paradt__insertion_more, or one at a time by paradt__insert_one_more. Who finds himself a cell
-// in conflict with each point calls paradt__insertion_first instead, and paradt__insert_next for the points that are
-// left. paradt__insertion_rest frees all but the mesh, paradt__insertion_end everything.
+// More points follow by paradt__insertion_more, or one at a time by paradt__insert_one_more, or in the plane, where no
+// spheres are kept, by paradt__polygon_insert. Who finds himself a cell in conflict with each point calls
+// paradt__insertion_first instead, and paradt__insert_next for the points that are left. paradt__insertion_rest frees
+// all but the mesh, paradt__insertion_end everything.
 // Doors: paradt__insertion_begin, paradt__insertion_layout, paradt__insertion_span_first, paradt__insertion_run,
-// paradt__insertion_go, paradt__insertion_more, paradt__insert_one_more, paradt__insertion_first, paradt__insert_next,
-// paradt__insertion_start, paradt__insertion_rest, paradt__insertion_end, paradt__bowyer_watson.
+// paradt__insertion_go, paradt__insertion_more, paradt__insert_one_more, paradt__polygon_insert,
+// paradt__insertion_first, paradt__insert_next, paradt__insertion_start, paradt__insertion_rest,
+// paradt__insertion_end, paradt__bowyer_watson.
 
 // Frees all but the mesh.
 static void paradt__insertion_rest(paradt__insertion *build) {
@@ -12793,6 +12798,36 @@ PARADT__OPTIONAL paradt_status paradt__insert_one_more(paradt__insertion *build,
     if (!status) status = paradt__choose_inserter(build)(build, point);
     if (!status) PARADT__VERIFY_SMALL(&build->scene.mesh, 1, PARADT__CONFLICT | PARADT__OUTSIDE);
     return status;
+}
+
+// Inserts a point without weight into the plane where no spheres are kept: a small cavity is dug as a polygon, without
+// marks, and the new cells take the places of its cells, so that neighbours stay near in memory. cell: in conflict with
+// the point
+PARADT__OPTIONAL paradt_status paradt__polygon_insert(paradt__insertion *build, paradt_index point, paradt_index cell) {
+    const double *x = paradt__scene_record(&build->scene, point);
+    paradt__update *update = &build->update;
+    paradt__centred centred; // of no use here
+    paradt__polygon polygon;
+    size_t i, killed;
+    paradt_status status =
+        paradt__list_room(&update->killed, 0, &update->killed_capacity, PARADT__FIRST_DIG, build->memory);
+    if (!status) status = paradt__list_room(&build->rim, 0, &build->rim_capacity, PARADT__FIRST_DIG, build->memory);
+    if (!status) status = paradt__list_room(&update->made, 0, &update->made_capacity, PARADT__FIRST_DIG, build->memory);
+    if (status) return status;
+    PARADT_ASSERT(!build->kept && build->scene.mesh.corners == 3 && !build->scene.space.weighted);
+    memset(&centred, 0, sizeof centred);
+    if (!paradt__plane_dig(build, cell, &centred, x, &polygon, PARADT__BY_PREDICATES))
+        return paradt__insert_at(build, point, cell);
+    if (build->witness) status = build->witness->dug(build->witness, build);
+    killed = update->killed_count;
+    if (!status) status = paradt__insertion_room(build, build->rim_count - killed);
+    if (status) return status;
+    for (i = 0; i < build->rim_count; i++)
+        update->made[i] = i < killed ? update->killed[i] : 3 * paradt__mesh_take(&build->scene.mesh);
+    update->made_count = build->rim_count;
+    paradt__polygon_star(build, &polygon, point);
+    build->scene.hint = paradt__mesh_cell(&build->scene.mesh, update->made[0]);
+    return PARADT_OK;
 }
 
 // Takes over how the records of the set are laid out, and what is known of their sagittas.
@@ -26215,7 +26250,10 @@ static paradt_status paradt__past_insert(paradt__past *past, paradt__insertion *
         return status;
     }
 #endif
-    status = build->kept ? paradt__insert_one_more(build, point, cell) : paradt__insert_at(build, point, cell);
+    if (build->kept) status = paradt__insert_one_more(build, point, cell);
+    else if (past->method == PARADT_AUTO && build->scene.mesh.corners == 3 && !build->scene.space.weighted)
+        status = paradt__polygon_insert(build, point, cell);
+    else status = paradt__insert_at(build, point, cell);
 #ifndef PARADT_NO_TREE
     if (!status && past->method == PARADT_DELAUNAY_TREE) status = paradt__tree_record(&past->tree, build, point);
 #endif
