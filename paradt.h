@@ -432,7 +432,7 @@
 //
 // A call gives back what it has taken for itself, and malloc gives large blocks back to the system, which has to clear
 // their pages for the next call. An allocator that keeps its pages takes that off calls one after another. On a virtual
-// machine that was a tenth of the time of triangulating 10^6 points in space, and two fifths with their Voronoi diagram
+// machine that was a tenth of the time of triangulating 10^6 points in space, and a fifth with their Voronoi diagram
 // (glibc: MALLOC_MMAP_MAX_=0 and a large MALLOC_TRIM_THRESHOLD_ in the environment, or mallopt).
 //
 // The result takes (2 cells (dim + 1) + points) indices, with PARADT_NO_NEIGHBORS (cells (dim + 1) + points). The
