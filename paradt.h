@@ -1597,7 +1597,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     kept spheres                 640   conflict tests by one product, in two and three dimensions
 //     digging by spheres           382   locate and dig with kept spheres
 //     stars in space               273   star with kept spheres
-//     stars in the plane           303   dig and star with kept spheres
+//     stars in the plane           304   dig and star with kept spheres
 //     insertion by spheres         219   locate, dig and star, all together
 //     insertion in space by AVX2   506   its inner functions for four lanes
 //     the plane by AVX2            144   the same for the plane
@@ -1634,7 +1634,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  475   those that a hull has to look at
 //     hull faces                   375   planes, extreme points, measures
 //     hull                         304   the entry
-//     given triangulation          343   the caller's cells and points as a mesh and a set
+//     given triangulation          366   the caller's cells and points as a mesh and a set
 //     spheres of cells in space    162   which cells and facets are still right, four cells together
 //     mending by flips             313   what has moved, by flips
 //     mending by holes             440   what flips leave, by small triangulations
@@ -1652,14 +1652,14 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     filling holes                466   what fills it
 //     past of a living set         248   location by all cells that there were
 //     state of a living set        436   columns, hidden and coincident points
-//     journal of a living set      389   how changes are noted and undone
+//     journal of a living set      390   how changes are noted and undone
 //     changes of a living set      496   one point comes, goes or moves; the set anew
 //     making a living set          256   the set anew
 //     living set                   464   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
 //     diagram                      290   what Voronoi diagrams are made of; planes, where they meet
-//     diagram order                260   points and cells in the order of space
-//     Voronoi vertices             294   centres of cells, and their errors
+//     diagram order                255   points and cells in the order of space
+//     Voronoi vertices             302   centres of cells, and their errors
 //     Voronoi faces                499   faces and volumes that nothing clips
 //     planes of a cell             326   where planes meet, in integers
 //     clipped cell                 553   a cell as planes and vertices, in any dimension
@@ -1699,7 +1699,7 @@ int madvise(void *address, size_t length, int advice);
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(PARADT_NO_SIMD)
 #include <immintrin.h> // for copies of the inner functions that are chosen at run time
 #define PARADT__AVX2         __attribute__((target("avx2,fma,popcnt")))
-#define PARADT__AVX2_ROUNDED __attribute__((target("avx2"))) // each product is rounded, as without vectors
+#define PARADT__AVX2_ROUNDED __attribute__((target("avx2"))) // products and sums are fused only where all code is
 #endif
 
 // Casts and null pointers are written as C and C++ both have them.
@@ -11494,7 +11494,8 @@ PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt
 
 // Digs a small cavity depth first, so that the facets of the rim follow each other. Without weights no vertex is inside
 // of a cavity, so that its cells hang together as a tree, and no cell is come to twice: none needs a mark. Fills
-// update.killed and the rim, which begin with room for PARADT__FIRST_DIG, and the polygon. Returns 0 if the cavity is
+// update.killed and the rim, which begin with room for PARADT__FIRST_DIG, and the polygon. point: of no use to
+// PARADT__BY_PREDICATES, whose perturbation makes cavities of that kind, too. Returns 0 if the cavity is
 // not small; then nothing has changed.
 PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index first, const paradt__centred *point,
                                      const double *x, paradt__polygon *polygon, int nearby) {
@@ -12801,8 +12802,8 @@ PARADT__OPTIONAL paradt_status paradt__insert_one_more(paradt__insertion *build,
 }
 
 // Inserts a point without weight into the plane where no spheres are kept: a small cavity is dug as a polygon, without
-// marks, and the new cells take the places of its cells, so that neighbours stay near in memory. cell: in conflict with
-// the point
+// marks, and the new cells take the places of its cells, so that neighbours stay near in memory. A large one is that of
+// paradt__insert_at. Nothing fails when a witness has agreed. cell: in conflict with the point, which is no vertex yet
 PARADT__OPTIONAL paradt_status paradt__polygon_insert(paradt__insertion *build, paradt_index point, paradt_index cell) {
     const double *x = paradt__scene_record(&build->scene, point);
     paradt__update *update = &build->update;
@@ -20628,10 +20629,11 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 // the mesh the number of a cell, and the ghosts stand behind the cells.
 //
 // The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
-// that links back, where both have a vertex of their own, and that the hull has a neighbour across each of its ridges.
+// that links back, where both have a vertex of their own and all others in common, and that the hull has a neighbour
+// across each of its ridges.
 // No coordinate is asked for that: cells may be turned over.
-// Doors: paradt__given_read, paradt__given_place, paradt__given_is_row, paradt__linker_*, paradt__given_ghosts,
-// paradt__given_mesh, paradt__given_set.
+// Doors: paradt__given_read, paradt__given_place, paradt__given_is_row, paradt__given_apex, paradt__linker_*,
+// paradt__given_ghosts, paradt__given_mesh, paradt__given_set.
 
 // Reads the points into the records of a zeroed set, which are in their order, and adds them to its space; there is
 // memory for one record more.
@@ -20734,6 +20736,31 @@ PARADT__INLINE int paradt__given_is_row(const paradt_index *row, size_t points, 
     return distinct;
 }
 
+// Returns the place of the vertex that another row has instead of a row's own one, or `corners` if they do not have all
+// others in common. The vertices of each row are distinct.
+PARADT__INLINE int paradt__given_apex(const paradt_index *row, int own, const paradt_index *other, int corners) {
+    int i, apex = corners, strange = 0;
+#if PARADT__FOUR_AT_ONCE && defined(__GNUC__)
+    if (corners == 4) {
+        const __m128i a = _mm_loadu_si128((const __m128i *)(const void *)row);
+        const __m128i b = _mm_loadu_si128((const __m128i *)(const void *)other);
+        const __m128i straight = _mm_or_si128(_mm_cmpeq_epi32(b, a), _mm_cmpeq_epi32(b, _mm_shuffle_epi32(a, 0x39)));
+        const __m128i across = _mm_or_si128(_mm_cmpeq_epi32(b, _mm_shuffle_epi32(a, 0x4e)),
+                                            _mm_cmpeq_epi32(b, _mm_shuffle_epi32(a, 0x93)));
+        const unsigned common = (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_or_si128(straight, across)));
+        const unsigned alone = 15 ^ common; // vertices of the other row
+        strange = _mm_movemask_epi8(_mm_cmpeq_epi32(b, _mm_set1_epi32(row[own])));
+        return !alone || alone & (alone - 1) || strange ? corners : __builtin_ctz(alone);
+    }
+#endif
+    for (i = 0; i < corners; i++) {
+        if (paradt__given_place(row, other[i], corners) < corners) strange += other[i] == row[own];
+        else if (apex == corners) apex = i;
+        else strange = 1;
+    }
+    return strange ? corners : apex;
+}
+
 // Lists the facets of a block's cells whose other cell comes later, and fetches the rows of these cells, and the
 // records of the own vertices if there are any. Returns 0 where a row is none.
 PARADT__INLINE int paradt__linker_list(paradt__linker *linker, size_t block, const paradt__scene *scene, int corners) {
@@ -20763,27 +20790,24 @@ PARADT__INLINE int paradt__linker_list(paradt__linker *linker, size_t block, con
     return 1;
 }
 
-// Ties the facets that are listed of a block. Two neighbours differ in one vertex, so that the exclusive or of both
-// rows and the own vertex is the other, whose record is fetched. Returns 0 where links do not fit together.
+// Ties the facets that are listed of a block, and fetches the records of the vertices across. Returns 0 where links do
+// not fit together.
 PARADT__INLINE int paradt__linker_tie(paradt__linker *linker, size_t block, const paradt__scene *scene, int corners) {
     const paradt__mesh mesh = linker->mesh;
     const paradt_index *first = linker->first[block % 2];
     const paradt_index end = (paradt_index)mesh.count, begin = (paradt_index)(block * PARADT__GIVEN_BLOCK) * corners;
     paradt_index *across = linker->across[block % 2];
     size_t at, count = linker->count[block % 2];
-    int j;
     for (at = 0; at < count; at++) {
-        const paradt_index handle = first[at], link = mesh.links[handle];
-        paradt_index mirror = link, apex, cell = handle / corners;
+        const paradt_index handle = first[at], link = mesh.links[handle], cell = handle / corners;
+        paradt_index other = link, mirror, apex;
+        int place;
         if (link >= (linker->facets ? end * corners : end)) return 0;
-        if (!linker->facets) {
-            const paradt_index *row = mesh.vertices + cell * corners, *other = mesh.vertices + link * corners;
-            int place;
-            for (apex = mesh.vertices[handle], j = 0; j < corners; j++) apex ^= row[j] ^ other[j];
-            place = paradt__given_place(other, apex, corners);
-            if (place >= corners) return 0;
-            mirror = link * corners + place;
-        }
+        if (linker->facets) other /= corners;
+        place = paradt__given_apex(mesh.vertices + cell * corners, (int)(handle - cell * corners),
+                                   mesh.vertices + other * corners, corners);
+        mirror = other * corners + place;
+        if (place >= corners || (linker->facets && mirror != link)) return 0;
         apex = mesh.vertices[mirror];
         if ((paradt__tag)apex >= (paradt__tag)linker->points) return 0;
         if (mesh.links[mirror] != (linker->facets ? handle : cell)) return 0; // so the mirror is not listed
@@ -26764,8 +26788,8 @@ PARADT__INLINE int paradt__living_is_fresh(const paradt_dynamic *d, paradt_index
     return d->made.count && d->build.scene.mesh.marks[place] & PARADT__FRESH;
 }
 
-// Enters a hole into the journal, for which there is room. corners: a constant, for a division by a variable takes
-// longer than all else here
+// Enters a hole into the journal, for which there is room. corners: a constant in two and three dimensions, for a
+// division by a variable takes longer than all else here
 PARADT__INLINE void paradt__living_note_hole(paradt_dynamic *d, paradt_index corners) {
     const paradt__insertion *build = &d->build;
     paradt__mesh *mesh = &d->build.scene.mesh;
@@ -26854,7 +26878,7 @@ static void paradt__living_settle_hidden(paradt_dynamic *d, paradt_index gone, p
     d->loose.count = d->suspects.count = 0;
 }
 
-// Marks the new cells that fill a hole. corners: as above
+// Marks the new cells that fill a hole. corners: a constant in two and three dimensions
 PARADT__INLINE void paradt__living_mark_cells(paradt_dynamic *d, paradt_index corners) {
     const paradt__update *update = &d->build.update;
     const paradt__mesh *mesh = &d->build.scene.mesh;
@@ -27000,7 +27024,8 @@ static void paradt__living_name_killed(paradt_dynamic *d) {
         if (d->log.items[at] == PARADT__OWNER) paradt__living_exchange_owner(d, d->log.items + at);
 }
 
-// Of the cells that were made keeps those that are finite and still there. corners: as above
+// Of the cells that were made keeps those that are finite and still there. corners: a constant in two and three
+// dimensions
 PARADT__INLINE void paradt__living_publish_made(paradt_dynamic *d, paradt_index corners) {
     enum { AHEAD = 16 };
     paradt__mesh *mesh = &d->build.scene.mesh;
@@ -27196,7 +27221,7 @@ static paradt_status paradt__living_enter(paradt_dynamic *d, paradt_index positi
     return PARADT_OK;
 }
 
-// Puts the cells of the filling where the hole was. corners: a constant, as divisions by variables are slow
+// Puts the cells of the filling where the hole was. corners: a constant in two and three dimensions
 PARADT__INLINE void paradt__living_fill_hole(paradt_dynamic *d, paradt_index corners) {
     paradt__insertion *build = &d->build;
     paradt__mesh *mesh = &build->scene.mesh;
@@ -27236,16 +27261,16 @@ static paradt_status paradt__living_dissolve(paradt_dynamic *d, paradt_index pos
     paradt__mesh *mesh = &build->scene.mesh;
     paradt__filling *f = &d->filling;
     size_t finite = 0, at;
-    int flat = 0;
+    int flat = 0, plain;
     paradt_index cell = paradt__living_get(d, PARADT__CELL, position);
     paradt_status status;
     paradt__fetch_row(mesh->vertices, mesh->links, (size_t)cell, (size_t)mesh->corners);
     paradt__starts_fetch(&d->starts, paradt__living_record(d, position));
     status = paradt__filling_star(f, build, position, cell);
-    if (f->polygon) finite = build->update.killed_count; // it has no ghosts
-    for (at = 0; at < build->update.killed_count && (d->weighted || !f->polygon) && !status; at++) {
+    plain = f->polygon && !d->weighted; // nothing is hidden there, and what is left is not flat
+    for (at = 0; at < build->update.killed_count && !plain && !status; at++) {
         paradt_index place = paradt__mesh_cell(mesh, build->update.killed[at]), hidden;
-        if (!f->polygon) finite += (size_t)paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners);
+        finite += (size_t)paradt__is_finite_cell(paradt__mesh_row(mesh, place), mesh->corners);
         hidden = d->weighted ? paradt__living_get(d, PARADT__HUNG, place) : (paradt_index)PARADT__OPEN;
         for (; hidden >= 0 && !status; hidden = paradt__living_get(d, PARADT__NEXT_HIDDEN, hidden))
             status = paradt__list_append(&f->points, hidden, &d->memory);
@@ -28967,22 +28992,17 @@ PARADT__INLINE paradt_status paradt__diagram_fill(const paradt__diagram *g, cons
     return PARADT_OK;
 }
 
-// Ties a facet of a row to its mirror in a later one, whose link becomes -2 - handle. Two neighbours differ in one
-// vertex, so that the exclusive or of both rows and the own vertex is the other. Returns 0 where links do not fit.
+// Ties a facet of a row to its mirror in a later one, whose link becomes -2 - handle. Returns 0 where links do not fit.
 PARADT__INLINE int paradt__diagram_tie(const paradt__diagram *g, paradt_index *row, paradt_index handle, int facets,
                                        int corners) {
     const paradt_index cell = handle / corners, own = handle - cell * corners, link = row[corners + own];
     const paradt_index other = paradt__diagram_across(link, facets, corners);
     paradt_index *there = paradt__row_vertices(g, (size_t)other, PARADT__ROW_BYTES(corners - 1));
-    int place = (int)(link % corners), j;
-    if (!facets) {
-        paradt_index apex = row[own];
-        for (j = 0; j < corners; j++) apex ^= row[j] ^ there[j];
-        place = paradt__given_place(there, apex, corners);
-        if (place >= corners) return 0;
-    }
+    const int place = paradt__given_apex(row, (int)own, there, corners);
+    const paradt_index mirror = other * corners + place;
+    if (place >= corners || (facets && mirror != link)) return 0;
     if (there[corners + place] != (facets ? handle : cell)) return 0;
-    row[corners + own] = other * corners + place;
+    row[corners + own] = mirror;
     there[corners + place] = -2 - handle;
     return 1;
 }
@@ -29080,7 +29100,7 @@ static paradt_status paradt__diagram_rows_bare(paradt__diagram *g, const paradt_
     paradt__mesh mesh;
     size_t i;
     paradt_status status = paradt__given_mesh(&mesh, t, facets, g->memory, g->meter);
-    g->hull = mesh.count - g->cells;
+    if (!status) g->hull = mesh.count - g->cells;
     paradt__mesh_free(&mesh, g->memory);
     for (i = 0; i < g->cells * corners && !status; i++) {
         paradt__row_vertices(g, i / corners, g->row_bytes)[i % corners] = t->cells[i];
@@ -29118,8 +29138,9 @@ static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt_trian
 // no clipping: of those all vertices are certainly inside of all walls, and none is at infinity.
 //
 // In space some cells are computed together, number by number next to each other, so that compilers make vectors of
-// them. Each sum is that of a cell alone: the number of lanes changes no digit.
-// Doors: paradt__centres_make, paradt__centre_of, paradt__centres_agree, paradt__centres_differ.
+// them. Cells that are too few are filled up, for compilers that fuse products and sums do so in different ways here
+// and for a cell alone: which way a cell goes must not depend on where a task begins. Doors: paradt__centres_make,
+// paradt__centre_of, paradt__centres_agree, paradt__centres_differ.
 
 PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
     return paradt__row_centre(paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(d)), d);
@@ -29228,7 +29249,7 @@ PARADT__INLINE void paradt__centre_lanes_meet(double tiny, paradt__centre_lanes 
         det = paradt__abs(lanes->n[3][at]);
         det_error = det_factor * lanes->sizes[3][at] + tiny;
         PARADT__UNROLL
-        for (j = 0; j < 3; j++) {
+        for (j = 0; j < 3; j++) { // without branches: a flat cell may divide by 0, and is not known then
             double value = lanes->n[j][at] / lanes->n[3][at], size = factor * lanes->sizes[j][at];
             lanes->y[j][at] = value;
             error = error > size ? error : size;
@@ -29237,7 +29258,7 @@ PARADT__INLINE void paradt__centre_lanes_meet(double tiny, paradt__centre_lanes 
         error = (error + tiny + largest * det_error) / (det - det_error) * (1 + 16 * PARADT__ROUNDOFF) +
                 2 * PARADT__ROUNDOFF * largest;
         lanes->y[3][at] = error;
-        lanes->known[at] = (det > 2 * det_error) & (error <= 256 * PARADT__ROUNDOFF * largest) ? 1.0 : 0.0;
+        lanes->known[at] = ((det > 2 * det_error) & (error <= 256 * PARADT__ROUNDOFF * largest)) ? 1.0 : 0.0;
     }
 }
 
@@ -29316,20 +29337,22 @@ PARADT__INLINE int paradt__centres_one_by_one(const paradt__diagram *g, size_t c
 }
 
 #if PARADT_MAX_DIM >= 3
-// Computes the centres of PARADT__CENTRES cells in space together, but for those of flat ones. Returns 0 if one is
-// flat.
+// Computes the centres of up to PARADT__CENTRES cells in space together, but for those of flat ones. Returns 0 if one
+// is flat.
 PARADT__INLINE int paradt__centres_together(const paradt__diagram *g, paradt__centre_lanes_function compute,
-                                            size_t cell) {
+                                            size_t cell, size_t count) {
     paradt__centre_lanes lanes;
     size_t at;
     int j;
-    for (at = 0; at < PARADT__CENTRES; at++)
-        paradt__centre_gather(g, paradt__row_vertices(g, cell + at, PARADT__ROW_BYTES(3)), &lanes, at);
-    compute(g->tiny, &lanes);
     for (at = 0; at < PARADT__CENTRES; at++) {
+        const size_t from = cell + (at < count ? at : count - 1);
+        paradt__centre_gather(g, paradt__row_vertices(g, from, PARADT__ROW_BYTES(3)), &lanes, at);
+    }
+    compute(g->tiny, &lanes);
+    for (at = 0; at < count; at++) {
         const paradt_index *vertices = paradt__row_vertices(g, cell + at, PARADT__ROW_BYTES(3));
         double *centre = paradt__row_centre(vertices, 3), y[4];
-        if (g->imprecise | !(lanes.known[at] > 0)) {
+        if (!(lanes.known[at] > 0)) {
             if (!paradt__centres_one_by_one(g, cell + at, cell + at + 1, 3)) return 0;
             continue;
         }
@@ -29345,13 +29368,18 @@ PARADT__INLINE int paradt__centres_together(const paradt__diagram *g, paradt__ce
 PARADT__INLINE void paradt__centres_of_task(paradt__centring *centring, size_t task, int d) {
     const paradt__diagram *g = centring->g;
     size_t cell, end = paradt__loader_range(centring->team, g->cells, task, &cell), first = cell, next;
+#if PARADT_MAX_DIM >= 3
+    size_t count;
+#endif
     int fine = 1;
     for (; cell < end && fine; cell = next) {
         next = end - cell > PARADT__DIAGRAM_PACE ? cell + PARADT__DIAGRAM_PACE : end;
         if (paradt__team_cancels(centring->team, task, (double)(cell - first) / (double)(end - first))) return;
 #if PARADT_MAX_DIM >= 3
-        for (; d == 3 && next - cell >= PARADT__CENTRES && fine; cell += PARADT__CENTRES)
-            fine = paradt__centres_together(g, centring->compute, cell);
+        for (; d == 3 && !g->imprecise && cell < next && fine; cell += count) {
+            count = next - cell < PARADT__CENTRES ? next - cell : (size_t)PARADT__CENTRES;
+            fine = paradt__centres_together(g, centring->compute, cell, count);
+        }
 #endif
         fine = fine && paradt__centres_one_by_one(g, cell, next, d);
     }

@@ -365,6 +365,32 @@ static void cells_that_are_their_own_neighbours_are_invalid(void **state) {
     }
 }
 
+// Of two pairs of neighbours each one gets the other pair's: all links lead back, and the hull stays closed.
+static void neighbours_that_are_exchanged_are_invalid(void **state) {
+    (void)state;
+    for (int d = 2; d <= 4; d++) {
+        sample s = few_uniform_points(d);
+        paradt_options options = {0};
+        options.flags = PARADT_FACETS;
+        paradt_triangulation half = triangulation_of(&s, &options);
+        const paradt_index corners = d + 1, count = (paradt_index)half.cell_count * corners;
+        for (paradt_index a = 0, b = 5 * corners; b < count; a++, b++) {
+            const paradt_index c = half.neighbors[a], e = half.neighbors[b];
+            const size_t places[] = {(size_t)a, (size_t)e, (size_t)b, (size_t)c};
+            const paradt_index facets[] = {e, a, c, b};
+            paradt_index cells[4];
+            if (c < 0 || e < 0 || c / corners == b / corners || c / corners == e / corners || a / corners == e / corners)
+                continue;
+            for (int i = 0; i < 4; i++)
+                cells[i] = facets[i] / corners;
+            expect_invalid(&s, 0, places, cells, 4);
+            expect_invalid(&s, 1, places, facets, 4);
+        }
+        paradt_free(&half);
+        sample_free(&s);
+    }
+}
+
 // Two cells are linked that have no facet in common, though the exclusive or of their vertices tells the one from the other: then
 // the hull has ridges with one facet.
 static void neighbours_without_a_common_facet_are_invalid(void **state) {
@@ -615,6 +641,7 @@ int main(void) {
         cmocka_unit_test(a_single_wrong_link_is_invalid),
         cmocka_unit_test(links_to_open_facets_are_invalid),
         cmocka_unit_test(cells_that_are_their_own_neighbours_are_invalid),
+        cmocka_unit_test(neighbours_that_are_exchanged_are_invalid),
         cmocka_unit_test(neighbours_without_a_common_facet_are_invalid),
         cmocka_unit_test(cells_that_have_a_vertex_twice_are_invalid),
         cmocka_unit_test(many_hidden_points_are_built_anew),
