@@ -1603,10 +1603,10 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     the plane by AVX2            144   the same for the plane
 //     inserting                    272   insertions from begin to end
 //     planes                       357   conflict tests by one product, in any dimension
-//     ridge table                  253   facets that wait for their mirrors, for many threads
+//     ridge table                  259   facets that wait for their mirrors, for many threads
 //     conflict lists                77   their memory
-//     conflict graph               346   randomized incremental construction: regions, conflicts, one facet's step
-//     conflict rounds              408   the same in parallel: tasks, rounds, room
+//     conflict graph               376   randomized incremental construction: regions, conflicts, one facet's step
+//     conflict rounds              411   the same in parallel: tasks, rounds, room
 //     lifted hull                   37   triangulations as hulls
 //     hull of points               165   convex hulls
 //     nodes                         65   the memory of all cells ever made
@@ -13455,9 +13455,10 @@ static void paradt__ridges_move_task(void *context, size_t task) {
 }
 
 // Makes room for `more` facets, by the team's tasks; none runs when it is called. At most half of the slots are ever
-// used.
+// used. Each step passes over the whole table, and between them it asks whether the call is cancelled; done: its
+// progress.
 static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__mesh *mesh, size_t more,
-                                         const paradt__team *team, paradt__memory *memory) {
+                                         const paradt__team *team, double done, paradt__memory *memory) {
     paradt__ridges_sweep sweep;
     size_t size = ridges->slots ? ridges->mask + 1 : 0;
     if (2 * (ridges->used + more) <= size) return PARADT_OK;
@@ -13466,6 +13467,7 @@ static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__m
     sweep.mesh = mesh;
     sweep.team = team;
     if (size) paradt__ridges_sweep_all(&sweep);
+    if (paradt__team_cancels(team, 0, done)) return PARADT_ERROR_CANCELLED;
     if (4 * (ridges->used + more) <= size) return PARADT_OK;
     sweep.larger.used = ridges->used;
     for (size = 256; size < 4 * (ridges->used + more);) size *= 2;
@@ -13473,10 +13475,14 @@ static paradt_status paradt__ridges_room(paradt__ridges *ridges, const paradt__m
     sweep.larger.slots = (paradt__slot *)paradt__alloc(memory, size, sizeof *sweep.larger.slots);
     if (!sweep.larger.slots) return PARADT_ERROR_MEMORY;
     paradt__team_run(team, paradt__ridges_clear_task, &sweep);
+    if (paradt__team_cancels(team, 0, done)) {
+        paradt__release(memory, sweep.larger.slots);
+        return PARADT_ERROR_CANCELLED;
+    }
     if (ridges->used) paradt__team_run(team, paradt__ridges_move_task, &sweep);
     paradt__release(memory, ridges->slots);
     *ridges = sweep.larger;
-    return PARADT_OK;
+    return paradt__team_cancels(team, 0, done) ? PARADT_ERROR_CANCELLED : PARADT_OK;
 }
 
 static void paradt__ridges_free(paradt__ridges *ridges, paradt__memory *memory) {
@@ -13589,7 +13595,7 @@ static void paradt__pool_free(paradt__pool *pool, paradt__memory *memory) {
 // Lists ascend by position, along Hilbert's curve where the set does, so that rows are read nearly in sequence; the
 // order of insertion is a permutation apart from that.
 // Doors: paradt__graph_prepare, paradt__graph_expand, paradt__graph_ready, paradt__graph_filter_all,
-// paradt__graph_merge_room, paradt__graph_list.
+// paradt__graph_cancels, paradt__graph_merge_room, paradt__graph_list.
 
 typedef enum paradt__hull_side {
     PARADT__LOWER, // cells and ghosts of T(P): the lower side of the lifted points
@@ -13767,6 +13773,12 @@ PARADT__INLINE size_t paradt__graph_merge(const paradt__graph_cell *a, const par
     return count;
 }
 
+// Is the call to be cancelled? Tells its progress.
+static int paradt__graph_cancels(const paradt__graph *g, const paradt__graph_task *task) {
+    return paradt__team_cancels(g->team, (size_t)(task - g->task),
+                                (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected);
+}
+
 // Makes room for the points of two lists.
 PARADT__INLINE paradt_status paradt__graph_merge_room(paradt__graph_task *task, size_t count) {
     return paradt__list_room(&task->merged, 0, &task->merged_capacity, count, &task->memory);
@@ -13875,6 +13887,31 @@ PARADT__INLINE paradt_index paradt__graph_place(paradt__graph *g, paradt__graph_
     return task->fresh++;
 }
 
+// Filters task->merged, *count points, as paradt__graph_filter does, but in pieces, between which it asks whether the
+// call is cancelled: an early list may be as long as the set, and each of its tests exact.
+PARADT__INLINE paradt_status paradt__graph_sift(const paradt__graph *g, paradt__graph_task *task,
+                                                const paradt_index *row, const paradt__plane *plane, size_t *count,
+                                                size_t tests, paradt__tag *first, int terms) {
+    enum { PIECE = 1 << 12 };
+    const size_t all = *count;
+    size_t from = 0, kept = 0;
+    *first = PARADT__NO_RANK;
+    for (;;) {
+        const size_t some = all - from < PIECE ? all - from : (size_t)PIECE;
+        paradt_index *piece = task->merged + from;
+        paradt__tag best;
+        const size_t left = paradt__graph_filter(g, &task->space, row, plane, piece, some, tests, &best, terms);
+        if (kept < from) memmove(task->merged + kept, piece, left * sizeof *piece);
+        kept += left;
+        *first = best < *first ? best : *first;
+        from += some;
+        if (PARADT__LIKELY(from == all)) break;
+        if (paradt__graph_cancels(g, task)) return PARADT_ERROR_CANCELLED;
+    }
+    *count = kept;
+    return PARADT_OK;
+}
+
 // Makes the cell of a facet that is ready.
 PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__graph_task *task,
                                                   const paradt__graph_job *job, int dim, int terms) {
@@ -13897,10 +13934,9 @@ PARADT__INLINE paradt_status paradt__graph_expand(paradt__graph *g, paradt__grap
     count = paradt__graph_merge(old, beside, job->point, task->merged, &both);
     if (both < count) paradt__graph_plane(g, job->row, &plane, dim, terms);
     else paradt__plane_unknown(&plane, terms);
-    count =
-        paradt__graph_filter(g, &task->space, job->row, &plane, task->merged, count, count - both, &cell->first, terms);
+    status = paradt__graph_sift(g, task, job->row, &plane, &count, count - both, &cell->first, terms);
     cell->unsettled = corners;
-    status = paradt__graph_list(task, cell, task->merged, count);
+    if (!status) status = paradt__graph_list(task, cell, task->merged, count);
     if (!status) status = paradt__graph_settle(g, task, job->old);
     paradt__mesh_tie(mesh, base + job->place, job->mirror);
     if (!status) status = paradt__graph_ready(g, task, base + job->place, job->mirror, corners);
@@ -13925,7 +13961,7 @@ enum {
     PARADT__ROUND_FIRST = 1 << 6,   // or by each of several in the first round,
     PARADT__ROUND_SHARE = 1 << 13,  // and in the last
     PARADT__SHARED_FACETS = 1 << 6, // that each of several tasks shares, when there are few
-    PARADT__CHECK_WORK = 1 << 16    // points tested between two looks at whether the call is cancelled
+    PARADT__CHECK_WORK = 1 << 14    // points tested between two looks at whether the call is cancelled
 };
 
 // Takes a facet that is ready: one of the task's own, or one of those that all share; -1: there is none.
@@ -13938,25 +13974,24 @@ PARADT__INLINE paradt_index paradt__graph_take(paradt__graph *g, paradt__graph_t
 }
 
 // Is the task to end the round, after so many cells? Now and then asks whether the call is cancelled.
-PARADT__INLINE int paradt__graph_pauses(const paradt__graph *g, paradt__graph_task *task, size_t index, size_t cells) {
+PARADT__INLINE int paradt__graph_pauses(const paradt__graph *g, paradt__graph_task *task, size_t cells) {
     if (task->status || cells >= g->round_cells || task->work >= PARADT__ROUND_WORK) return 1;
     if (task->work >= PARADT__LEAST_WORK && PARADT__ATOMIC_LOAD(&g->ends)) return 1;
     if (task->work < task->check) return 0;
     task->check = task->work + PARADT__CHECK_WORK;
-    if (paradt__team_cancels(g->team, index, (double)PARADT__ATOMIC_LOAD(&g->mesh.count) / g->expected))
-        task->status = PARADT_ERROR_CANCELLED;
+    if (paradt__graph_cancels(g, task)) task->status = PARADT_ERROR_CANCELLED;
     return task->status != PARADT_OK;
 }
 
 // One task's part of a round. While a facet is worked on, what the next one needs comes from memory.
-PARADT__INLINE void paradt__graph_work(paradt__graph *g, paradt__graph_task *task, size_t index, int dim, int terms) {
+PARADT__INLINE void paradt__graph_work(paradt__graph *g, paradt__graph_task *task, int dim, int terms) {
     const int corners = terms > dim ? dim + 1 : dim;
     paradt__graph_job jobs[2];
     paradt_index next = paradt__graph_take(g, task);
     size_t cells;
     task->work = task->check = 0;
     if (next >= 0) paradt__graph_prepare(g, jobs, next, corners);
-    for (cells = 0; next >= 0 && !paradt__graph_pauses(g, task, index, cells); cells++) {
+    for (cells = 0; next >= 0 && !paradt__graph_pauses(g, task, cells); cells++) {
         const paradt__graph_job *job = jobs + (cells & 1);
         next = paradt__graph_take(g, task);
         if (next >= 0) paradt__graph_prepare(g, jobs + (~cells & 1), next, corners);
@@ -13973,15 +14008,15 @@ static void paradt__graph_task_round(void *context, size_t index) {
     paradt__graph *g = (paradt__graph *)context;
     paradt__graph_task *task = g->task + index;
     const int dim = g->set->space.dim, terms = g->planes.terms;
-    if (dim == 2 && terms == 3) paradt__graph_work(g, task, index, 2, 3);
-    else if (dim == 2 && terms == 2) paradt__graph_work(g, task, index, 2, 2);
-    else if (PARADT__IS(dim, 3) && terms == 4) paradt__graph_work(g, task, index, 3, 4);
-    else if (PARADT__IS(dim, 3) && terms == 3) paradt__graph_work(g, task, index, 3, 3);
-    else if (PARADT__IS(dim, 4) && terms == 5) paradt__graph_work(g, task, index, 4, 5);
-    else if (PARADT__IS(dim, 5) && terms == 6) paradt__graph_work(g, task, index, 5, 6);
-    else if (PARADT__IS(dim, 5) && terms == 5) paradt__graph_work(g, task, index, 5, 5);
-    else if (PARADT__IS(dim, 6) && terms == 7) paradt__graph_work(g, task, index, 6, 7);
-    else paradt__graph_work(g, task, index, dim, terms);
+    if (dim == 2 && terms == 3) paradt__graph_work(g, task, 2, 3);
+    else if (dim == 2 && terms == 2) paradt__graph_work(g, task, 2, 2);
+    else if (PARADT__IS(dim, 3) && terms == 4) paradt__graph_work(g, task, 3, 4);
+    else if (PARADT__IS(dim, 3) && terms == 3) paradt__graph_work(g, task, 3, 3);
+    else if (PARADT__IS(dim, 4) && terms == 5) paradt__graph_work(g, task, 4, 5);
+    else if (PARADT__IS(dim, 5) && terms == 6) paradt__graph_work(g, task, 5, 6);
+    else if (PARADT__IS(dim, 5) && terms == 5) paradt__graph_work(g, task, 5, 5);
+    else if (PARADT__IS(dim, 6) && terms == 7) paradt__graph_work(g, task, 6, 7);
+    else paradt__graph_work(g, task, dim, terms);
 }
 
 // Runs tasks, each with its share of the memory. Returns the first status that is not PARADT_OK.
@@ -14006,15 +14041,19 @@ static paradt_status paradt__graph_room(paradt__graph *g) {
     size_t needed = mesh->count + most + g->team->tasks * (size_t)PARADT__FRESH_PLACES;
     void *cells = g->cells;
     paradt_status status = PARADT_OK;
-    if (needed > mesh->capacity)
+    if (needed > mesh->capacity) {
         status = paradt__mesh_reserve(mesh, needed, mesh->capacity + mesh->capacity / 2 + most, g->memory);
-    if (!status && mesh->capacity > g->cell_capacity) {
+        if (!status && paradt__graph_cancels(g, g->task)) status = PARADT_ERROR_CANCELLED;
+    }
+    if (status) return status;
+    if (mesh->capacity > g->cell_capacity) {
         if (!paradt__grow(g->memory, &cells, mesh->count, mesh->capacity, sizeof *g->cells)) return PARADT_ERROR_MEMORY;
         g->cells = (paradt__graph_cell *)cells;
         g->cell_capacity = mesh->capacity;
+        if (paradt__graph_cancels(g, g->task)) return PARADT_ERROR_CANCELLED;
     }
-    return status ? status
-                  : paradt__ridges_room(&g->ridges, mesh, most * (size_t)(mesh->corners - 1), g->team, g->memory);
+    return paradt__ridges_room(&g->ridges, mesh, most * (size_t)(mesh->corners - 1), g->team,
+                               (double)mesh->count / g->expected, g->memory);
 }
 
 // Moves the first `count` of a task's facets to those that all share.

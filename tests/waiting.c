@@ -40,36 +40,8 @@ static size_t points_wanted(void) {
     return text ? (size_t)atol(text) : SANITIZED || is_quick() ? 3000 : 250000;
 }
 
-static void expect(paradt_status status, const char *what) {
-    if (status)
-        fail_msg("%s: %s", what, paradt_status_string(status));
-}
-
-// How many times longer than on an idle machine of the kind that the limit was chosen on does a triangulation take? The clock of
-// virtual machines drifts by a factor of two. At least 1.
-static double slowness(void) {
-    double times = 1;
-    sample s = family_make(&families[family_named("uniform")], NULL, 3, 100000, 1);
-    paradt_points points = points_of(&s);
-    for (int i = 0; i < 3; i++) {
-        paradt_triangulation t;
-        double begun = thread_seconds(), taken;
-        expect(paradt_triangulate(&t, &points, NULL), "slowness");
-        taken = (thread_seconds() - begun) / 0.06;
-        times = i == 0 || taken < times ? taken : times;
-        paradt_free(&t);
-    }
-    sample_free(&s);
-    return times > 1 ? times : 1;
-}
-
 // What is allowed at a million points is 50 ms. A pass over all cells takes a quarter of that here.
-static double limit_seconds(void) {
-    static double limit;
-    if (limit == 0)
-        limit = SANITIZED ? 1e9 : 0.03 * slowness();
-    return SANITIZED || limit < 0.05 ? limit : 0.05;
-}
+static double limit_seconds(void) { return SANITIZED ? 1e9 : 0.03; }
 
 static void end_watch(watch_of_gaps *w, const char *what) {
     note(w, 2);
@@ -82,6 +54,11 @@ static paradt_options watched_by(watch_of_gaps *w) {
     options.progress = note;
     options.user = w;
     return options;
+}
+
+static void expect(paradt_status status, const char *what) {
+    if (status)
+        fail_msg("%s: %s", what, paradt_status_string(status));
 }
 
 // What is watched: each makes its calls and reports them.
