@@ -282,6 +282,13 @@ static sample few_uniform_points(int dim) {
     return family_make(&families[family_named("uniform")], NULL, dim, 16, 4);
 }
 
+// The triangulation of points with half-facets for neighbours
+static paradt_triangulation half_facets_of(const sample *s) {
+    paradt_options options = {0};
+    options.flags = PARADT_FACETS;
+    return triangulation_of(s, &options);
+}
+
 // One link is wrong, to a cell or a half-facet. What is there otherwise fits. Links to earlier cells pass through negative
 // numbers: none of the caller's may be taken for one.
 static void a_single_wrong_link_is_invalid(void **state) {
@@ -313,9 +320,7 @@ static void links_to_open_facets_are_invalid(void **state) {
     (void)state;
     for (int d = 2; d <= 4; d++) {
         sample s = few_uniform_points(d);
-        paradt_options facets = {0};
-        facets.flags = PARADT_FACETS;
-        paradt_triangulation half = triangulation_of(&s, &facets);
+        paradt_triangulation half = half_facets_of(&s);
         const size_t corners = (size_t)d + 1;
         int cut = 0;
         for (size_t own = 0; own < half.cell_count; own++) {
@@ -348,9 +353,7 @@ static void cells_that_are_their_own_neighbours_are_invalid(void **state) {
     (void)state;
     for (int d = 2; d <= 3; d++) {
         sample s = few_uniform_points(d);
-        paradt_options options = {0};
-        options.flags = PARADT_FACETS;
-        paradt_triangulation half = triangulation_of(&s, &options);
+        paradt_triangulation half = half_facets_of(&s);
         const paradt_index corners = d + 1;
         for (paradt_index at = 0; at < (paradt_index)half.cell_count * corners; at++) {
             const paradt_index mirror = half.neighbors[at], own[] = {at / corners, mirror / corners}, itself[] = {at, mirror};
@@ -370,9 +373,7 @@ static void neighbours_that_are_exchanged_are_invalid(void **state) {
     (void)state;
     for (int d = 2; d <= 4; d++) {
         sample s = few_uniform_points(d);
-        paradt_options options = {0};
-        options.flags = PARADT_FACETS;
-        paradt_triangulation half = triangulation_of(&s, &options);
+        paradt_triangulation half = half_facets_of(&s);
         const paradt_index corners = d + 1, count = (paradt_index)half.cell_count * corners;
         for (paradt_index a = 0, b = 5 * corners; b < count; a++, b++) {
             const paradt_index c = half.neighbors[a], e = half.neighbors[b];
@@ -407,6 +408,24 @@ static void neighbours_without_a_common_facet_are_invalid(void **state) {
             for (int at = 0; at < 2 * (d + 1); at++)
                 t.neighbors[at] = at == 0 ? (facets ? d + 1 : 1) : at == d + 1 ? 0 : -1;
             t.cell_count = 2;
+            expect_refused(&t, &points, &options);
+            sample_free(&s);
+        }
+}
+
+// No neighbour sees that: the only cell has a vertex twice, and what would be its hull is closed.
+static void a_single_cell_that_has_a_vertex_twice_is_invalid(void **state) {
+    (void)state;
+    for (int facets = 0; facets < 2; facets++)
+        for (int d = 2; d <= 4; d++) {
+            sample s = few_uniform_points(d);
+            paradt_points points = points_of(&s);
+            paradt_options options = {0};
+            options.flags = facets ? PARADT_FACETS : 0;
+            paradt_triangulation t = triangulation_of(&s, &options);
+            for (int i = 0; i <= d; i++)
+                t.cells[i] = i < d ? i : d - 1, t.neighbors[i] = -1;
+            t.cell_count = 1;
             expect_refused(&t, &points, &options);
             sample_free(&s);
         }
@@ -644,6 +663,7 @@ int main(void) {
         cmocka_unit_test(neighbours_that_are_exchanged_are_invalid),
         cmocka_unit_test(neighbours_without_a_common_facet_are_invalid),
         cmocka_unit_test(cells_that_have_a_vertex_twice_are_invalid),
+        cmocka_unit_test(a_single_cell_that_has_a_vertex_twice_is_invalid),
         cmocka_unit_test(many_hidden_points_are_built_anew),
         cmocka_unit_test(the_first_of_points_at_one_place_stands_for_them),
         cmocka_unit_test(hidden_points_join_a_new_vertex),
