@@ -137,7 +137,8 @@ $(patsubst tests/%.c,$(T)/races/%,$(LINKED) $(BORROWING)): $(T)/races/paradt.o
 
 $(T)/paradt.o: MANNER = -O2 $(ERRORS)
 $(T)/sanitized/paradt.o: MANNER = -Og $(SANITIZE) $(UNDEFINED)
-$(T)/races/paradt.o: MANNER = -O1 -fsanitize=thread
+# Where products and sums can be fused they are, as then what is computed in two ways gives other bits by other tasks
+$(T)/races/paradt.o: MANNER = -O1 -fsanitize=thread $(shell grep -qsw fma /proc/cpuinfo && echo -mfma -ffp-contract=fast -fexpensive-optimizations)
 %/paradt.o: paradt.h tests/asserts.h
 	@mkdir -p $(@D)
 	echo '#include "paradt.h"' | $(CC) $(MANNER) $(TRACES) $(ASSERTS) $(WARNINGS) -I. -DPARADT_IMPLEMENTATION -x c -c -o $@ -
