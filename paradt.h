@@ -1634,7 +1634,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     hull points                  475   those that a hull has to look at
 //     hull faces                   375   planes, extreme points, measures
 //     hull                         304   the entry
-//     given triangulation          366   the caller's cells and points as a mesh and a set
+//     given triangulation          365   the caller's cells and points as a mesh and a set
 //     spheres of cells in space    162   which cells and facets are still right, four cells together
 //     mending by flips             313   what has moved, by flips
 //     mending by holes             440   what flips leave, by small triangulations
@@ -11495,8 +11495,8 @@ PARADT__INLINE unsigned paradt__plane_conflicts(paradt__insertion *build, paradt
 // Digs a small cavity depth first, so that the facets of the rim follow each other. Without weights no vertex is inside
 // of a cavity, so that its cells hang together as a tree, and no cell is come to twice: none needs a mark. Fills
 // update.killed and the rim, which begin with room for PARADT__FIRST_DIG, and the polygon. point: of no use to
-// PARADT__BY_PREDICATES, whose perturbation makes cavities of that kind, too. Returns 0 if the cavity is
-// not small; then nothing has changed.
+// PARADT__BY_PREDICATES, whose perturbation makes cavities of that kind, too. Returns 0 if the cavity is not small;
+// then nothing has changed.
 PARADT__INLINE int paradt__plane_dig(paradt__insertion *build, paradt_index first, const paradt__centred *point,
                                      const double *x, paradt__polygon *polygon, int nearby) {
     const paradt_index *vertices = build->scene.mesh.vertices, *links = build->scene.mesh.links;
@@ -20669,8 +20669,7 @@ PARADT_DEF paradt_status paradt_hull_compute(paradt_hull *hull, const paradt_poi
 //
 // The arrays may hold anything. What is established is that all vertices are points, that each link leads to a cell
 // that links back, where both have a vertex of their own and all others in common, and that the hull has a neighbour
-// across each of its ridges.
-// No coordinate is asked for that: cells may be turned over.
+// across each of its ridges. No coordinate is asked for that: cells may be turned over.
 // Doors: paradt__given_read, paradt__given_place, paradt__given_is_row, paradt__given_apex, paradt__linker_*,
 // paradt__given_ghosts, paradt__given_mesh, paradt__given_set.
 
@@ -29178,8 +29177,8 @@ static paradt_status paradt__diagram_rows(paradt__diagram *g, const paradt_trian
 //
 // In space some cells are computed together, number by number next to each other, so that compilers make vectors of
 // them. Cells that are too few are filled up, for compilers that fuse products and sums do so in different ways here
-// and for a cell alone: which way a cell goes must not depend on where a task begins. Doors: paradt__centres_make,
-// paradt__centre_of, paradt__centres_agree, paradt__centres_differ.
+// and for a cell alone: which way a cell goes must not depend on where a task begins.
+// Doors: paradt__centres_make, paradt__centre_of, paradt__centres_agree, paradt__centres_differ.
 
 PARADT__INLINE const double *paradt__centre_of(const paradt__diagram *g, paradt_index cell, int d) {
     return paradt__row_centre(paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(d)), d);
