@@ -1582,7 +1582,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     scene                        203   conflict test, walk, update
 //   search
 //     grid                         375   a hierarchy of boxes over a set
-//     search kernels               390   tests of eight boxes or points together
+//     search kernels               397   tests of eight boxes or points together
 //     pencil                       506   the spheres through a facet
 //     search                       377   the apex of a facet, a point in a sphere
 //     questions                     76   the same of cells of others' points
@@ -1599,7 +1599,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     stars in space               273   star with kept spheres
 //     stars in the plane           304   dig and star with kept spheres
 //     insertion by spheres         219   locate, dig and star, all together
-//     insertion in space by AVX2   506   its inner functions for four lanes
+//     insertion in space by AVX2   514   its inner functions for four lanes
 //     the plane by AVX2            144   the same for the plane
 //     inserting                    272   insertions from begin to end
 //     planes                       357   conflict tests by one product, in any dimension
@@ -1612,7 +1612,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     nodes                         65   the memory of all cells ever made
 //     flips                        248   circuits and their flips, in any dimension
 //     history                      131   the dag of all cells, by which points are located
-//     insertion by flips           381   search, split, collect, flip
+//     insertion by flips           387   search, split, collect, flip
 //     Delaunay tree                308   location by the cells that there were
 //   division
 //     regions of fronts            127   owners, joining
@@ -1658,13 +1658,13 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     living set                   464   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
 //     diagram                      290   what Voronoi diagrams are made of; planes, where they meet
-//     diagram order                255   points and cells in the order of space
+//     diagram order                258   points and cells in the order of space
 //     Voronoi vertices             302   centres of cells, and their errors
-//     Voronoi faces                499   faces and volumes that nothing clips
+//     Voronoi faces                494   faces and volumes that nothing clips
 //     planes of a cell             326   where planes meet, in integers
 //     clipped cell                 553   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   261   volumes, areas, centroids
-//     clipping                     482   all cells that walls or infinity clip
+//     clipping                     507   all cells that walls or infinity clip
 //     Voronoi                      670   the entry
 //   check
 //     check                        504   the certificate
@@ -7718,15 +7718,18 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_group_avx2(const paradt__lan
     __m256d f[2], n[2], f_bound[2], n_bound[2];
     unsigned mask = 0;
     int half, j;
+    PARADT__UNROLL
     for (half = 0; half < 2; half++) {
         f[half] = n[half] = _mm256_setzero_pd();
         f_bound[half] = PARADT__ALL(q->f_floor);
         n_bound[half] = PARADT__ALL(-q->n_floor);
     }
+    PARADT__UNROLL
     for (j = 0; j < ambient; j++) {
         const double *side = group + j * 2 * PARADT__LANES;
         const __m256d origin = PARADT__ALL(q->origin[j]), centre = PARADT__ALL(q->centre[j]);
         const __m256d middle = _mm256_mul_pd(PARADT__ALL(0.5), centre), normal = PARADT__ALL(q->normal[j]);
+        PARADT__UNROLL
         for (half = 0; half < 2; half++) {
             __m256d low = _mm256_sub_pd(_mm256_loadu_pd(side + 4 * half), origin);
             __m256d high = _mm256_sub_pd(_mm256_loadu_pd(side + 4 * half + PARADT__LANES), origin);
@@ -7740,6 +7743,7 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_group_avx2(const paradt__lan
             n_bound[half] = _mm256_fmadd_pd(reach, PARADT__ALL(q->reach[j]), n_bound[half]);
         }
     }
+    PARADT__UNROLL
     for (half = 0; half < 2; half++) {
         if (grade) {
             const double *grades = group + ambient * 2 * PARADT__LANES + 4 * half;
@@ -7762,6 +7766,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__kernel_lift_avx2(const paradt__lane_que
                                                           int grade, __m256d *f, __m256d *n) {
     int j;
     *f = *n = _mm256_setzero_pd();
+    PARADT__UNROLL
     for (j = 0; j < ambient; j++) {
         __m256d u = _mm256_sub_pd(_mm256_loadu_pd(lanes + j * PARADT__LANES), PARADT__ALL(q->origin[j]));
         __m256d centre = PARADT__ALL(q->centre[j]);
@@ -7779,6 +7784,7 @@ PARADT__AVX2 PARADT__INLINE unsigned paradt__kernel_cell_avx2(const paradt__lane
                                                               double f_bound, double n_bound, int ambient, int grade) {
     unsigned mask = 0;
     int half;
+    PARADT__UNROLL
     for (half = 0; half < PARADT__LANES; half += 4) {
         __m256d f, n;
         paradt__kernel_lift_avx2(q, cell + half, ambient, grade, &f, &n);
@@ -7795,6 +7801,7 @@ PARADT__AVX2 PARADT__INLINE double paradt__kernel_best_avx2(const paradt__lane_q
     __m256d best[2], n;
     __m128d pair;
     int half;
+    PARADT__UNROLL
     for (half = 0; half < 2; half++) {
         paradt__kernel_lift_avx2(q, cell + 4 * half, ambient, grade, best + half, &n);
         best[half] =
@@ -12151,6 +12158,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(paradt__making making, const
                                                     const __m256d *b, const __m256d *c, __m256d *size, __m256d *sides) {
     __m256d sa[3], sb[3], sc[3], m[3], n[3];
     int i;
+    PARADT__UNROLL
     for (i = 0; i < 3; i++) {
         sa[i] = paradt__abs_avx2(a[i]);
         sb[i] = paradt__abs_avx2(b[i]);
@@ -12160,6 +12168,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_sizes(paradt__making making, const
     if (making != PARADT__MAKE_QUICKLY) {
         __m256d bc[3], la = paradt__four_lift_sizes(making, a), lb = paradt__four_lift_sizes(making, b);
         __m256d lc = paradt__four_lift_sizes(making, c);
+        PARADT__UNROLL
         for (i = 0; i < 3; i++) {
             bc[i] = paradt__cross_avx2(sb, sc, i, -1);
             n[i] = _mm256_mul_pd(la, bc[i]);
@@ -12189,12 +12198,14 @@ PARADT__AVX2 PARADT__INLINE void paradt__four_spheres(paradt__making making, con
     floor = _mm256_set1_pd(1.0 / PARADT__NO_ERROR_BOUND);
     floor = _mm256_fmadd_pd(sides, _mm256_set1_pd(1.0 / PARADT__FLATTEST), floor);
     floor = _mm256_fmadd_pd(size, _mm256_set1_pd(32.0 * PARADT__UNIT_ERROR), floor);
+    PARADT__UNROLL
     for (i = 0; i < 3; i++) {
         ab[i] = paradt__cross_avx2(a, b, i, 1);
         v[i] = _mm256_fmsub_pd(a[3], b[i], _mm256_mul_pd(b[3], a[i]));
     }
     det = paradt__dot_avx2(ab, c);
     inverse = _mm256_div_pd(_mm256_set1_pd(1.0), _mm256_max_pd(det, floor));
+    PARADT__UNROLL
     for (i = 0; i < 3; i++) {
         w[i] = _mm256_fmadd_pd(c[3], ab[i], paradt__cross_avx2(v, c, i, 1));
         w[i] = _mm256_mul_pd(w[i], inverse);
@@ -12371,6 +12382,7 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(paradt__making making,
     __m256d corner[4][4], p[4], sphere[4], error, square;
     const int weighted = making == PARADT__MAKE_WEIGHTED;
     int i, axis;
+    PARADT__UNROLL
     for (i = 0; i < 4; i++) {
         const paradt_index *vertices = build->scene.mesh.vertices + i;
         const __m256d zero[4] = {_mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd(), _mm256_setzero_pd()};
@@ -12379,11 +12391,14 @@ PARADT__AVX2 PARADT__INLINE void paradt__kept_remake_four(paradt__making making,
                                  paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[2]]),
                                  paradt__scene_record(&build->scene, vertices[4 * (size_t)cells[3]]), zero, corner[i]);
     }
+    PARADT__UNROLL
     for (i = 0; i < 3; i++) {
+        PARADT__UNROLL
         for (axis = 0; axis < 3; axis++) corner[i][axis] = _mm256_sub_pd(corner[i][axis], corner[3][axis]);
         square = paradt__dot_avx2(corner[i], corner[i]);
         corner[i][3] = weighted ? _mm256_sub_pd(square, _mm256_sub_pd(corner[i][3], corner[3][3])) : square;
     }
+    PARADT__UNROLL
     for (axis = 0; axis < 3; axis++) p[axis] = _mm256_sub_pd(corner[3][axis], centre[axis]);
     square = paradt__dot_avx2(p, p);
     p[3] = weighted ? _mm256_add_pd(square, corner[3][3]) : square;
@@ -15055,10 +15070,15 @@ static paradt_status paradt__flips_room(paradt__flips *f, const paradt__mesh *me
         void *array = f->at;
         if (!paradt__grow(memory, &array, f->places, capacity, sizeof *f->at)) return PARADT_ERROR_MEMORY;
         f->at = (paradt__flip_place *)array;
-        memset(f->at + f->places, 0, (capacity - f->places) * sizeof *f->at);
         f->places = capacity;
     }
     return status;
+}
+
+// Makes a node that of the cell at a place, which nothing was asked about.
+PARADT__INLINE void paradt__flips_put(paradt__flips *f, paradt_index place, paradt_index node) {
+    f->at[place].node = node;
+    f->at[place].asked = 0;
 }
 
 // Enters a cell that was made, of a parent, and the facet of the handle: it is opposite p.
@@ -15066,7 +15086,7 @@ PARADT__INLINE void paradt__flips_enter(paradt__flips *f, paradt_index handle, p
     const paradt__mesh *mesh = &f->flipper.build.scene.mesh;
     paradt_index place = handle / corners;
     f->recent = paradt__history_add(&f->history, parent, place, mesh->vertices + place * corners, corners);
-    f->at[place].node = f->recent;
+    paradt__flips_put(f, place, f->recent);
     f->facets.items[f->facets.count++] = handle;
     f->facets.items[f->facets.count++] = f->recent;
 }
@@ -15330,8 +15350,9 @@ static paradt_status paradt__flips_begin(paradt__flips *f) {
     f->history.width = (corners + PARADT__NODE_VERTICES) * sizeof(paradt_index);
     status = paradt__flips_room(f, mesh, corners + 1, build->memory);
     for (place = 0; place < mesh->count && !status; place++)
-        f->at[place].node = paradt__history_add(&f->history, PARADT__OPEN, (paradt_index)place,
-                                                mesh->vertices + place * corners, mesh->corners);
+        paradt__flips_put(f, (paradt_index)place,
+                          paradt__history_add(&f->history, PARADT__OPEN, (paradt_index)place,
+                                              mesh->vertices + place * corners, mesh->corners));
     return status;
 }
 
@@ -28981,6 +29002,7 @@ PARADT__INLINE paradt_status paradt__diagram_sort_cells(const paradt__diagram *g
         int j;
         if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         if (!paradt__given_is_row(row, g->set.count, corners)) return PARADT_ERROR_INVALID;
+        PARADT__UNROLL_4
         for (j = 0; j < corners; j++) {
             paradt_index position = arranging->point[row[j]];
             least = position < least ? position : least;
@@ -29012,10 +29034,12 @@ PARADT__INLINE paradt_status paradt__diagram_fill(const paradt__diagram *g, cons
         paradt_index *row = paradt__row_vertices(g, (size_t)to[cell], bytes);
         if (paradt__meter_stops(g->meter, cell)) return PARADT_ERROR_CANCELLED;
         if (cell + 2 * AHEAD < cells) {
+            PARADT__UNROLL_4
             for (j = 0; j < corners; j++)
                 PARADT__FETCH(to, paradt__diagram_across(links[2 * AHEAD * corners + j], facets, corners));
             PARADT__PREFETCH_TO_WRITE(g->rows + (size_t)to[cell + AHEAD] * bytes);
         }
+        PARADT__UNROLL_4
         for (j = 0; j < corners; j++) {
             const paradt_index link = links[j], other = paradt__diagram_across(link, facets, corners);
             const paradt_index position = point[vertices[j]];
@@ -29592,11 +29616,10 @@ typedef struct paradt__ring {
     int corners;
 } paradt__ring;
 
-// Walks around an edge, from a cell to itself, and marks the edge at all cells of the chunk. Returns 0 if one of the
-// cells comes before the first cell of the walk. moments: are they wanted?
-PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *done, size_t begin, size_t end,
-                                     paradt_index cell, int edge, const double *normal, paradt__ring *ring,
-                                     int moments) {
+// Walks around an edge, from a cell to itself, and marks the edge at all cells of the chunk, which ends at `end`.
+// Returns 0 if one of the cells comes before the first cell of the walk. moments: are they wanted?
+PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *done, size_t end, paradt_index cell,
+                                     int edge, const double *normal, paradt__ring *ring, int moments) {
     const unsigned char *places = paradt__ring_edges[edge];
     const paradt_index *row = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
     const double *first = paradt__row_centre(row, 3), *next;
@@ -29631,7 +29654,6 @@ PARADT__INLINE int paradt__ring_walk(const paradt__diagram *g, unsigned char *do
                               paradt__larger(paradt__abs(b[1]), paradt__abs(b[2])));
         a[0] = b[0], a[1] = b[1], a[2] = b[2];
     } while (at != cell);
-    (void)begin;
     for (j = 0; j < 3; j++) ring->area[j] = area[j], ring->moment[j] = moment[j];
     ring->along = along;
     ring->size = size;
@@ -29731,9 +29753,8 @@ PARADT__INLINE void paradt__tally_face(const paradt__facing *facing, const parad
 }
 
 // Measures the face around an edge of a cell in space, and adds it to what it belongs to.
-PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, paradt__voronoi_tally *tally,
-                                                   paradt__face_list *list, paradt__space *space, size_t begin,
-                                                   size_t end, paradt_index cell, int edge, int moments) {
+PARADT__INLINE void paradt__face_in_space(paradt__facing *facing, paradt__voronoi_tally *tally, paradt__face_list *list,
+                                          paradt__space *space, size_t end, paradt_index cell, int edge, int moments) {
     const paradt__diagram *g = facing->g;
     const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
     paradt_index p = vertices[paradt__ring_edges[edge][0]], q = vertices[paradt__ring_edges[edge][1]];
@@ -29744,7 +29765,7 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
     paradt__ring ring;
     int j, turns, certain;
     for (j = 0; j < 3; j++) normal[j] = to[j] - from[j];
-    if (!paradt__ring_walk(g, facing->done, begin, end, cell, edge, normal, &ring, moments)) return PARADT_OK;
+    if (!paradt__ring_walk(g, facing->done, end, cell, edge, normal, &ring, moments)) return;
     turns = ring.corners - 2;
     measure = 0.5 * (ring.area[0] * normal[0] + ring.area[1] * normal[1] + ring.area[2] * normal[2]);
     step = 2 * ring.error + PARADT__ROUNDOFF * ring.size;
@@ -29753,16 +29774,15 @@ PARADT__INLINE paradt_status paradt__face_in_space(paradt__facing *facing, parad
         g->tiny;
     error *= 0.5 * (paradt__abs(normal[0]) + paradt__abs(normal[1]) + paradt__abs(normal[2]));
     certain = ring.size < most && ring.error < most && measure > error;
-    if (!certain && paradt__ring_changes(g, space, cell, edge) < 3) return PARADT_OK;
+    if (!certain && paradt__ring_changes(g, space, cell, edge) < 3) return;
     for (j = 0; j < 3 && moments; j++) where[j] = first[j] + (ring.along > 0 ? ring.moment[j] / (3 * ring.along) : 0);
     if (tally->sums) paradt__tally_face(facing, tally, p, q, normal, measure, error, where, 3);
-    if (!list) return PARADT_OK;
+    if (!list) return;
     if (list->wants & PARADT_VORONOI_POLYGONS) {
         list->cell[list->count] = cell;
         list->edge[list->count] = (unsigned char)edge;
     }
     paradt__face_list_add(list, p, q, measure, normal, ring.area, 2, where, 3);
-    return PARADT_OK;
 }
 
 // Fetches the rows of the neighbours of a cell, and of theirs for a cell whose neighbours have been fetched.
@@ -29803,8 +29823,7 @@ PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, para
         for (edge = 0; edge < 6; edge++) {
             const unsigned char *places = paradt__ring_edges[edge];
             if (!(todo >> edge & 1) || !((inner >> places[0] | inner >> places[1]) & 1)) continue;
-            paradt__face_in_space(facing, tally, list, &facing->space[task], begin, end, (paradt_index)cell, edge,
-                                  moments);
+            paradt__face_in_space(facing, tally, list, &facing->space[task], end, (paradt_index)cell, edge, moments);
         }
     }
     return PARADT_OK;
@@ -31180,8 +31199,27 @@ typedef struct paradt__clipper {
     paradt__memory *memory;
 } paradt__clipper;
 
-// Clips a bounded cell by the walls. Returns in *done whether that was all: where a vertex is on a wall, walls have to
-// come first, so that of planes that coincide the wall counts.
+// Finds how far the vertices of a bounded cell reach along the axes, with a bound on the errors of that. The vertices
+// are the centres of the cells around its point.
+static double paradt__clip_reach(const paradt__diagram *g, const paradt_index *around, size_t count, double *low,
+                                 double *high) {
+    double error = 0;
+    size_t i;
+    int j;
+    for (j = 0; j < g->d; j++) low[j] = high[j] = paradt__centre_of(g, around[0], g->d)[j];
+    for (i = 0; i < count; i++) {
+        const double *centre = paradt__centre_of(g, around[i], g->d);
+        for (j = 0; j < g->d; j++) {
+            low[j] = low[j] < centre[j] ? low[j] : centre[j];
+            high[j] = paradt__larger(high[j], centre[j]);
+        }
+        error = paradt__larger(error, centre[g->d]);
+    }
+    return 2 * error + g->tiny;
+}
+
+// Clips a bounded cell by the walls, but for those of the box that it does not reach. Returns in *done whether that was
+// all: where a vertex is on a wall, walls have to come first, so that of planes that coincide the wall counts.
 static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
     paradt__clipping *clipping = clipper->clipping;
     paradt__convex *c = &clipper->cell;
@@ -31189,11 +31227,17 @@ static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
     size_t first = clipping->first[clipper->at], count = clipping->first[clipper->at + 1] - first, wall;
     paradt_index p = clipping->points[clipper->at], mark = 2 * (paradt_index)clipper->at + 1;
     const paradt_index *around = clipping->around + first;
+    double low[PARADT_MAX_DIM], high[PARADT_MAX_DIM], bound;
     paradt_status status = g->d == 2
                                ? paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 2)
                                : paradt__convex_star(c, p, around, count, clipper->stamp, clipper->number, mark, 3);
-    for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++)
-        if (!g->walls[wall].distant) status = paradt__convex_clip_by_wall(c, wall);
+    bound = paradt__clip_reach(g, around, count, low, high);
+    for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++) {
+        const paradt__voronoi_wall *w = g->walls + wall;
+        if (w->distant) continue;
+        if (w->axis < 0 || !(w->scaled_offset - (wall < (size_t)g->d ? -low[w->axis] : high[w->axis]) > bound))
+            status = paradt__convex_clip_by_wall(c, wall);
+    }
     *done = !c->tied;
     return !status && *done ? paradt__convex_settle(c) : status;
 }
