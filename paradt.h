@@ -1664,7 +1664,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     planes of a cell             326   where planes meet, in integers
 //     clipped cell                 553   a cell as planes and vertices, in any dimension
 //     measures of a clipped cell   261   volumes, areas, centroids
-//     clipping                     507   all cells that walls or infinity clip
+//     clipping                     509   all cells that walls or infinity clip
 //     Voronoi                      670   the entry
 //   check
 //     check                        504   the certificate
@@ -31199,8 +31199,8 @@ typedef struct paradt__clipper {
     paradt__memory *memory;
 } paradt__clipper;
 
-// Finds how far the vertices of a bounded cell reach along the axes, with a bound on the errors of that. The vertices
-// are the centres of the cells around its point.
+// Finds how far the vertices of a bounded cell reach along the axes, and returns a bound on the errors of that, if one
+// is known. The vertices are the centres of the cells around its point.
 static double paradt__clip_reach(const paradt__diagram *g, const paradt_index *around, size_t count, double *low,
                                  double *high) {
     double error = 0;
@@ -31235,8 +31235,10 @@ static paradt_status paradt__clip_star(paradt__clipper *clipper, int *done) {
     for (wall = 0; wall < g->wall_count && !status && !c->tied; wall++) {
         const paradt__voronoi_wall *w = g->walls + wall;
         if (w->distant) continue;
-        if (w->axis < 0 || !(w->scaled_offset - (wall < (size_t)g->d ? -low[w->axis] : high[w->axis]) > bound))
-            status = paradt__convex_clip_by_wall(c, wall);
+        if (w->axis >= 0 && paradt__diagram_bounds(bound) &&
+            w->scaled_offset - (wall < (size_t)g->d ? -low[w->axis] : high[w->axis]) > bound)
+            continue;
+        status = paradt__convex_clip_by_wall(c, wall);
     }
     *done = !c->tied;
     return !status && *done ? paradt__convex_settle(c) : status;
