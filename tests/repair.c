@@ -413,6 +413,28 @@ static void neighbours_without_a_common_facet_are_invalid(void **state) {
         }
 }
 
+// An edge has four cells. Two of them are linked, and each of these is named by another one. The two others are so numbered that a
+// diagram, whose links become handles one by one, finds their numbers where it looks for the links back to them. That takes a vertex
+// that comes first along the curve, so each has its turn.
+static void two_cells_more_at_an_edge_are_invalid(void **state) {
+    static const paradt_index links[12] = {-1, -1, 1, 0, -1, -1, -1, -1, 1, -1, -1, 0};
+    (void)state;
+    for (paradt_index u = 0; u < 6; u++) {
+        sample s = few_uniform_points(2);
+        paradt_points points = points_of(&s);
+        paradt_options options = {0};
+        paradt_triangulation t = triangulation_of(&s, &options);
+        paradt_index v = (u + 1) % 6, a = (u + 2) % 6, b = (u + 3) % 6, c = (u + 4) % 6, e = (u + 5) % 6;
+        const paradt_index cells[12] = {u, v, a, b, u, v, u, v, c, u, v, e};
+        assert_true(t.cell_count >= 4);
+        memcpy(t.cells, cells, sizeof cells);
+        memcpy(t.neighbors, links, sizeof links);
+        t.cell_count = 4;
+        expect_refused(&t, &points, &options);
+        sample_free(&s);
+    }
+}
+
 // No neighbour sees that: the only cell has a vertex twice, and what would be its hull is closed.
 static void a_single_cell_that_has_a_vertex_twice_is_invalid(void **state) {
     (void)state;
@@ -663,6 +685,7 @@ int main(void) {
         cmocka_unit_test(neighbours_that_are_exchanged_are_invalid),
         cmocka_unit_test(neighbours_without_a_common_facet_are_invalid),
         cmocka_unit_test(cells_that_have_a_vertex_twice_are_invalid),
+        cmocka_unit_test(two_cells_more_at_an_edge_are_invalid),
         cmocka_unit_test(a_single_cell_that_has_a_vertex_twice_is_invalid),
         cmocka_unit_test(many_hidden_points_are_built_anew),
         cmocka_unit_test(the_first_of_points_at_one_place_stands_for_them),
