@@ -1655,16 +1655,16 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     journal of a living set      390   how changes are noted and undone
 //     changes of a living set      496   one point comes, goes or moves; the set anew
 //     making a living set          256   the set anew
-//     living set                   464   the entry
+//     living set                   475   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
-//     diagram                      290   what Voronoi diagrams are made of; planes, where they meet
+//     diagram                      295   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                258   points and cells in the order of space
 //     Voronoi vertices             302   centres of cells, and their errors
-//     Voronoi faces                494   faces and volumes that nothing clips
+//     Voronoi faces                499   faces and volumes that nothing clips
 //     planes of a cell             326   where planes meet, in integers
-//     clipped cell                 553   a cell as planes and vertices, in any dimension
-//     measures of a clipped cell   261   volumes, areas, centroids
-//     clipping                     509   all cells that walls or infinity clip
+//     clipped cell                 560   a cell as planes and vertices, in any dimension
+//     measures of a clipped cell   264   volumes, areas, centroids
+//     clipping                     510   all cells that walls or infinity clip
 //     Voronoi                      670   the entry
 //   check
 //     check                        504   the certificate
@@ -28191,29 +28191,40 @@ static paradt_status paradt__change_sort(paradt_dynamic *d, const paradt__change
                               change->count, change->count > PARADT__SMALL_CHANGE ? &d->meter : NULL);
 }
 
+// The vertex that the i-th point of a change begins with: the one that goes, or for an insertion the one that its
+// bucket names; or negative
+PARADT__INLINE paradt_index paradt__change_vertex(const paradt_dynamic *d, const paradt__change *change, size_t i) {
+    size_t at = (size_t)change->order[i].item, bucket;
+    if (change->kind != PARADT__INSERTION) return paradt__living_get(d, PARADT__POSITION, change->number[at]);
+    return paradt__starts_at(&d->starts, change->records + at * (size_t)(d->ambient + d->weighted), &bucket);
+}
+
 // Prefetches what the points of a change soon after the i-th one begin with, step by step, as each step reads what the
-// one before has fetched: the bucket of an insertion, a cell of the vertex that it names, or of the one that goes, and
-// the cell's row.
+// one before has fetched: the bucket of an insertion, or the position of a point that goes; a cell of the vertex; the
+// cell's row; and the rows of its neighbours.
 PARADT__INLINE void paradt__change_fetch(const paradt_dynamic *d, const paradt__change *change, size_t i) {
-    enum { SOON = 3, LATER = 6, LAST = 9 };
+    enum { ROWS = 2, ROW = 4, CELL = 7, VERTEX = 10 };
     const paradt__mesh *mesh = &d->build.scene.mesh;
-    const size_t width = (size_t)d->ambient + (size_t)d->weighted;
-    paradt_index position[2];
-    size_t bucket;
+    const paradt_index *cell = d->column[PARADT__CELL];
+    paradt_index vertex;
+    size_t at;
     int k;
-    if (d->dim < 1 || i + LAST >= change->count) return;
-    for (k = 0; k < 2; k++) {
-        size_t at = (size_t)change->order[i + (k ? LATER : SOON)].item;
-        if (change->kind != PARADT__INSERTION)
-            position[k] = paradt__living_get(d, PARADT__POSITION, change->number[at]);
-        else position[k] = paradt__starts_at(&d->starts, change->records + at * width, &bucket);
-        if (position[k] < 0) return;
+    if (d->dim < 1 || i + VERTEX >= change->count) return;
+    at = (size_t)change->order[i + VERTEX].item;
+    if (change->kind != PARADT__INSERTION) PARADT__FETCH(d->column[PARADT__POSITION], change->number[at]);
+    else paradt__starts_fetch(&d->starts, change->records + at * (size_t)(d->ambient + d->weighted));
+    vertex = paradt__change_vertex(d, change, i + CELL);
+    if (vertex >= 0) {
+        PARADT__FETCH(cell, vertex);
+        PARADT__FETCH(d->records, (size_t)vertex * d->build.scene.width);
     }
-    if (change->kind == PARADT__INSERTION)
-        paradt__starts_fetch(&d->starts, change->records + (size_t)change->order[i + LAST].item * width);
-    PARADT__FETCH(d->column[PARADT__CELL], position[1]);
-    paradt__fetch_row(mesh->vertices, mesh->links, (size_t)paradt__living_get(d, PARADT__CELL, position[0]),
-                      (size_t)mesh->corners);
+    vertex = paradt__change_vertex(d, change, i + ROW);
+    if (vertex >= 0) paradt__fetch_row(mesh->vertices, mesh->links, (size_t)cell[vertex], (size_t)mesh->corners);
+    vertex = paradt__change_vertex(d, change, i + ROWS);
+    for (k = 0; k < mesh->corners && vertex >= 0; k++) {
+        size_t other = (size_t)paradt__mesh_cell(mesh, mesh->links[cell[vertex] * mesh->corners + k]);
+        paradt__fetch_row(mesh->vertices, mesh->links, other, (size_t)mesh->corners);
+    }
 }
 
 // Does a change, point by point.
@@ -28738,6 +28749,11 @@ PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, par
 // The error of a place of which floating point may know nothing
 #define PARADT__UNKNOWN_ERROR paradt__power(1000)
 
+// A place is known if it errs by this part of its largest coordinate at most. Else it is computed from integers, which
+// takes 30,000 instructions: a smaller part would have that done for many cells without any bound of a volume's
+// becoming much smaller, as these come from what is flatter still.
+#define PARADT__KNOWN (1024 * PARADT__ROUNDOFF)
+
 // Is a place's error a bound? Then its coordinates are below 2^962, so that no product of them with a plane overflows.
 PARADT__INLINE int paradt__diagram_bounds(double error) {
     return paradt__biased_exponent(error) < 1023 + 960;
@@ -28911,7 +28927,7 @@ PARADT__INLINE int paradt__diagram_meet(const paradt__diagram *g, const paradt__
     }
     y[d] = (error + g->tiny + largest * det_error) / (det - det_error) * (1 + 16 * PARADT__ROUNDOFF) +
            2 * PARADT__ROUNDOFF * largest;
-    return y[d] <= 256 * PARADT__ROUNDOFF * largest;
+    return y[d] <= PARADT__KNOWN * largest;
 }
 
 // On which side of a plane is y, of which the error is known? 1: strictly outside, -1 strictly inside. distant: of
@@ -29320,7 +29336,7 @@ PARADT__INLINE void paradt__centre_lanes_meet(double tiny, paradt__centre_lanes 
         error = (error + tiny + largest * det_error) / (det - det_error) * (1 + 16 * PARADT__ROUNDOFF) +
                 2 * PARADT__ROUNDOFF * largest;
         lanes->y[3][at] = error;
-        lanes->known[at] = ((det > 2 * det_error) & (error <= 256 * PARADT__ROUNDOFF * largest)) ? 1.0 : 0.0;
+        lanes->known[at] = ((det > 2 * det_error) & (error <= PARADT__KNOWN * largest)) ? 1.0 : 0.0;
     }
 }
 
@@ -29605,8 +29621,11 @@ static void paradt__tally_join(const paradt__voronoi_tally *total, const paradt_
 static const unsigned char paradt__ring_edges[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
                                                        {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
 
-// The mark of an edge by the places of the two vertices that are not on it
+// The mark of an edge by the places of the two vertices that are not on it: the bit of its number
 static const unsigned char paradt__ring_marks[4][4] = {{0, 32, 16, 8}, {32, 0, 4, 2}, {16, 4, 0, 1}, {8, 2, 1, 0}};
+
+// The marks of the edges at a vertex of a cell, by its place
+static const unsigned char paradt__ring_marks_at[4] = {1 | 2 | 4, 1 | 8 | 16, 2 | 8 | 32, 4 | 16 | 32};
 
 typedef struct paradt__ring {
     double area[3];   // twice the area as a vector along the edge
@@ -29806,25 +29825,27 @@ PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, para
     enum { ROWS_AHEAD = 24, NEXT_AHEAD = 12 };
     const paradt__diagram *g = facing->g;
     size_t cell;
-    int edge;
+    int i;
     for (cell = begin; cell < end; cell++) {
         const paradt_index *vertices = paradt__row_vertices(g, (size_t)cell, PARADT__ROW_BYTES(3));
-        unsigned inner = 0, todo = 63u & ~(unsigned)facing->done[cell];
+        unsigned inner = 0, todo = ~(unsigned)facing->done[cell];
         paradt__ring_fetch(g, cell + ROWS_AHEAD, cell + NEXT_AHEAD);
         if (cell % PARADT__DIAGRAM_PACE == 0 &&
             paradt__team_cancels(facing->team, task, (double)cell / (double)g->cells))
             return PARADT_ERROR_CANCELLED;
-        if (!todo) continue;
-        for (edge = 0; edge < 4; edge++) inner |= (unsigned)!(g->kind[vertices[edge]] & PARADT__CELL_CLIPPED) << edge;
+        PARADT__UNROLL_4
+        for (i = 0; i < 4; i++) {
+            const unsigned clipped = g->kind[vertices[i]] & PARADT__CELL_CLIPPED;
+            inner |= paradt__ring_marks_at[i] & (clipped ? 0u : 63u);
+        }
+        todo &= inner;
         if (list) {
             paradt_status status = paradt__face_list_room(list, 6);
             if (status) return status;
         }
-        for (edge = 0; edge < 6; edge++) {
-            const unsigned char *places = paradt__ring_edges[edge];
-            if (!(todo >> edge & 1) || !((inner >> places[0] | inner >> places[1]) & 1)) continue;
-            paradt__face_in_space(facing, tally, list, &facing->space[task], end, (paradt_index)cell, edge, moments);
-        }
+        for (; todo; todo &= todo - 1)
+            paradt__face_in_space(facing, tally, list, &facing->space[task], end, (paradt_index)cell,
+                                  paradt__trailing_zeros(todo), moments);
     }
     return PARADT_OK;
 }
@@ -30493,6 +30514,9 @@ PARADT__INLINE paradt_status paradt__convex_star(paradt__convex *c, paradt_index
     // the places of a cell's other vertices, so that with p before them the order is even
     static const unsigned char order[2][4][3] = {{{1, 2, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 0}},
                                                  {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    // where in these each place is
+    static const unsigned char where[2][4][4] = {{{0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}},
+                                                 {{0, 0, 1, 2}, {0, 0, 2, 1}, {0, 1, 0, 2}, {0, 2, 1, 0}}};
     const paradt__diagram *g = c->g;
     const double *base = paradt__diagram_point(g, p);
     paradt__mesh *mesh = &c->build.scene.mesh;
@@ -30522,8 +30546,7 @@ PARADT__INLINE paradt_status paradt__convex_star(paradt__convex *c, paradt_index
         const unsigned char *places;
         double *y = paradt__convex_place(c, i), largest = 0;
         size_t slot = (size_t)around[i] * 0x9E3779B1u & mask;
-        for (j = 0; row[j] != p; j++) {
-        }
+        j = paradt__given_place(row, p, d + 1) & 3;
         places = order[d - 2][j];
         while (c->local[2 * slot] >= 0) slot = (slot + 1) & mask;
         c->local[2 * slot] = around[i];
@@ -30545,18 +30568,14 @@ PARADT__INLINE paradt_status paradt__convex_star(paradt__convex *c, paradt_index
     }
     for (i = 0; i < count; i++) { // links
         const paradt_index *row = paradt__row_vertices(g, (size_t)around[i], PARADT__ROW_BYTES(d));
-        const unsigned char *places;
-        for (j = 0; row[j] != p; j++) {
-        }
-        places = order[d - 2][j];
+        const unsigned char *places = order[d - 2][paradt__given_place(row, p, d + 1) & 3];
         for (j = 0; j < d; j++) {
             paradt_index link = row[d + 1 + places[j]], other = link / (d + 1), found;
-            int apex = (int)(link - other * (d + 1)), to = 0;
+            int apex = (int)(link - other * (d + 1));
             size_t slot = (size_t)other * 0x9E3779B1u & mask;
             while (c->local[2 * slot] != other) slot = (slot + 1) & mask;
             found = c->local[2 * slot + 1];
-            while (order[d - 2][found & 3][to] != apex) to++;
-            mesh->links[i * (size_t)d + (size_t)j] = (found >> 2) * d + to;
+            mesh->links[i * (size_t)d + (size_t)j] = (found >> 2) * d + where[d - 2][found & 3][apex];
         }
     }
     return PARADT_OK;
@@ -30653,18 +30672,17 @@ static paradt_status paradt__convex_clip_by_wall(paradt__convex *c, size_t wall)
     return paradt__convex_clip(c);
 }
 
-// Do a vertex and its neighbour along an edge coincide?
-static int paradt__convex_coincide(paradt__convex *c, size_t vertex, int place) {
-    const paradt__mesh *mesh = &c->build.scene.mesh;
-    size_t d = (size_t)c->d, link = (size_t)mesh->links[vertex * d + (size_t)place], other = link / d;
+// Do a vertex and its neighbour along an edge coincide? link: to it
+PARADT__INLINE int paradt__convex_coincide(paradt__convex *c, size_t vertex, paradt_index link, int d) {
+    const size_t other = (size_t)(link / d);
     const double *a = paradt__convex_place(c, vertex), *b = paradt__convex_place(c, other);
     const paradt__halfspace *h[PARADT_MAX_DIM + 1];
     int i;
     if (c->distant[vertex] != c->distant[other]) return 0;
-    if (c->distant[vertex] ? paradt__centres_differ(a + d + 1, b + d + 1, c->d) : paradt__centres_differ(a, b, c->d))
+    if (c->distant[vertex] ? paradt__centres_differ(a + d + 1, b + d + 1, d) : paradt__centres_differ(a, b, d))
         return 0;
-    for (i = 0; i < c->d; i++) h[i] = paradt__convex_plane(c, vertex, i);
-    h[d] = c->planes + mesh->vertices[link];
+    for (i = 0; i < d; i++) h[i] = paradt__convex_plane(c, vertex, i);
+    h[d] = c->planes + c->build.scene.mesh.vertices[link];
     return !paradt__exact_above(&c->exact, c->g, c->p, h);
 }
 
@@ -30688,17 +30706,19 @@ static paradt_index paradt__convex_root(paradt_index *same, paradt_index vertex)
     return vertex;
 }
 
-// Finds which vertices coincide.
-static paradt_status paradt__convex_merge(paradt__convex *c) {
+// Finds which vertices coincide. d: a constant in space
+PARADT__INLINE void paradt__convex_merge(paradt__convex *c, int d) {
     const paradt__mesh *mesh = &c->build.scene.mesh;
-    size_t d = (size_t)c->d, vertex, i;
+    size_t vertex;
+    int i;
     c->merged = 0;
     for (vertex = 0; vertex < mesh->count; vertex++) c->same[vertex] = (paradt_index)vertex;
     for (vertex = 0; vertex < mesh->count; vertex++) {
-        if (mesh->vertices[vertex * d] == PARADT__DEAD) continue;
+        const paradt_index *links = mesh->links + vertex * (size_t)d;
+        if (mesh->vertices[vertex * (size_t)d] == PARADT__DEAD) continue;
         for (i = 0; i < d; i++) {
-            paradt_index other = mesh->links[vertex * d + i] / c->d, a, b;
-            if ((size_t)other < vertex || !paradt__convex_coincide(c, vertex, (int)i)) continue;
+            paradt_index other = links[i] / d, a, b;
+            if ((size_t)other < vertex || !paradt__convex_coincide(c, vertex, links[i], d)) continue;
             a = paradt__convex_root(c->same, (paradt_index)vertex);
             b = paradt__convex_root(c->same, other);
             if (a < b) c->same[b] = a;
@@ -30708,7 +30728,20 @@ static paradt_status paradt__convex_merge(paradt__convex *c) {
     }
     for (vertex = 0; vertex < mesh->count && c->merged; vertex++)
         c->same[vertex] = paradt__convex_root(c->same, (paradt_index)vertex);
-    return c->exact.status;
+}
+
+// Finds at which handle the face of each plane begins. d: a constant in space
+PARADT__INLINE void paradt__convex_enter(paradt__convex *c, int d) {
+    const paradt__mesh *mesh = &c->build.scene.mesh;
+    size_t vertex, plane;
+    int i;
+    for (plane = 0; plane < c->plane_count; plane++) c->entry[plane] = -1;
+    for (vertex = 0; vertex < mesh->count; vertex++) {
+        const paradt_index *row = mesh->vertices + vertex * (size_t)d;
+        if (*row == PARADT__DEAD) continue;
+        // in the plane a face begins where it is the second of the planes
+        for (i = d == 2; i < d; i++) c->entry[row[i]] = (paradt_index)vertex * d + i;
+    }
 }
 
 // Has the face of a handle a measure, in space or in the plane? Its different vertices are corners of a convex polygon.
@@ -30833,14 +30866,9 @@ static paradt_status paradt__convex_settle(paradt__convex *c) {
     paradt_status status = paradt__convex_settle_room(c);
     c->unbounded = c->flat = c->merged = 0;
     if (status || c->empty) return status;
-    for (i = 0; i < c->plane_count; i++) c->entry[i] = -1;
-    for (i = 0; i < mesh->count * d; i++) {
-        // in the plane a face begins where it is the second of the planes
-        if (mesh->vertices[i / d * d] != PARADT__DEAD && (d > 2 || i & 1))
-            c->entry[mesh->vertices[i]] = (paradt_index)i;
-    }
-    status = paradt__convex_merge(c);
-    if (status) return status;
+    if (d == 3) paradt__convex_enter(c, 3), paradt__convex_merge(c, 3);
+    else paradt__convex_enter(c, c->d), paradt__convex_merge(c, c->d);
+    if (c->exact.status) return c->exact.status;
     for (i = 0; i < mesh->count; i++) {
         if (mesh->vertices[i * d] == PARADT__DEAD) continue;
         different += c->same[i] == (paradt_index)i;
@@ -30886,14 +30914,16 @@ typedef struct paradt__convex_sums {
 
 // A face's measure and centroid
 typedef struct paradt__convex_face {
-    double measure, centroid[PARADT_MAX_DIM]; // relative to p; the measure is infinite where the face is unbounded
-    double cone, error;                       // twice or six times the volume of the cone over it, and its error
-    double moment[3];
+    double measure;                  // infinite where the face is unbounded
+    double cone, error;              // twice or six times the volume of the cone over it, and its error
+    double centroid[PARADT_MAX_DIM]; // relative to p
+    double moment[3];                // of the cone
 } paradt__convex_face;
 
-// Measures a face of a cell in space or in the plane, and the cone from `apex` over it, in multiples of d!.
+// Measures a face of a cell in space or in the plane, and the cone from `apex` over it, in multiples of d!. moments:
+// are the centroid and the cone's moment wanted?
 PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_index plane, const double *apex,
-                                               paradt__convex_face *face, int d) {
+                                               paradt__convex_face *face, int d, int moments) {
     const paradt__halfspace *h = c->planes + plane;
     paradt_index entry = c->entry[plane], at = entry;
     const double *first = paradt__convex_place(c, (size_t)(entry / d));
@@ -30932,8 +30962,8 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
         along += part;
         for (j = 0; j < d; j++) {
             area[j] += cross[j];
-            sum[j] += part * (a[j] + b[j]);
-            face->moment[j] += cone * (apex[j] + (d + 0.0) * first[j] + a[j] + b[j]);
+            if (moments) sum[j] += part * (a[j] + b[j]);
+            if (moments) face->moment[j] += cone * (apex[j] + (d + 0.0) * first[j] + a[j] + b[j]);
             a[j] = b[j];
         }
         corners++;
@@ -30953,16 +30983,17 @@ PARADT__INLINE void paradt__convex_measure_any(const paradt__convex *c, paradt_i
     lost = !(length > 0); // the normal, which is too short
     if (lost) along = paradt__length_in_unit(d == 2 ? reach : area, d, &length);
     face->measure = distant ? HUGE_VAL : paradt__abs(along) / (d == 2 ? length : 2 * length);
-    for (j = 0; j < d; j++) {
+    for (j = 0; j < d && moments; j++) {
         int known = !distant && !lost && (along > 0 || along < 0);
         face->centroid[j] = known ? first[j] + sum[j] / ((d == 2 ? 2 : 3) * along) : NAN;
     }
 }
 
 static void paradt__convex_measure_face(const paradt__convex *c, paradt_index plane, const double *apex,
-                                        paradt__convex_face *face) {
-    if (c->d == 2) paradt__convex_measure_any(c, plane, apex, face, 2);
-    else paradt__convex_measure_any(c, plane, apex, face, 3);
+                                        paradt__convex_face *face, int moments) {
+    if (c->d == 2) paradt__convex_measure_any(c, plane, apex, face, 2, 1);
+    else if (moments) paradt__convex_measure_any(c, plane, apex, face, 3, 1);
+    else paradt__convex_measure_any(c, plane, apex, face, 3, 0);
 }
 
 // --- higher dimensions
@@ -31097,8 +31128,8 @@ static paradt_status paradt__convex_pull(const paradt__convex *c, paradt__memory
     return status;
 }
 
-// Measures a bounded cell that is settled and not empty.
-static paradt_status paradt__convex_measure(const paradt__convex *c, paradt__convex_sums *sums) {
+// Measures a bounded cell that is settled and not empty. moments: are they wanted, in space or in the plane?
+static paradt_status paradt__convex_measure(const paradt__convex *c, paradt__convex_sums *sums, int moments) {
     const paradt__mesh *mesh = &c->build.scene.mesh;
     const double *apex;
     size_t vertex = 0, plane;
@@ -31115,10 +31146,10 @@ static paradt_status paradt__convex_measure(const paradt__convex *c, paradt__con
         for (j = 0; j < d && (size_t)mesh->vertices[vertex * (size_t)d + (size_t)j] != plane; j++) {
         }
         if (j < d) continue; // the apex is on it
-        paradt__convex_measure_face(c, (paradt_index)plane, apex, &face);
+        paradt__convex_measure_face(c, (paradt_index)plane, apex, &face, moments);
         sums->volume += face.cone;
         sums->error += face.error + PARADT__ROUNDOFF * (double)c->plane_count * paradt__abs(face.cone);
-        for (j = 0; j < d; j++) sums->moment[j] += face.moment[j];
+        for (j = 0; j < d && moments; j++) sums->moment[j] += face.moment[j];
     }
     sums->volume /= factorial;
     sums->error = sums->error / factorial * 1.01 + 4 * PARADT__ROUNDOFF * paradt__abs(sums->volume) + c->g->tiny;
@@ -31412,7 +31443,8 @@ static paradt_status paradt__clip_list(paradt__clipper *clipper) {
         if (clipping->wants & (PARADT_VORONOI_AREAS | PARADT_VORONOI_NORMALS)) {
             paradt__convex_face face;
             double unit, length = paradt__length_in_unit(h->normal, (int)d, &unit);
-            paradt__convex_measure_face(c, (paradt_index)plane, origin, &face);
+            paradt__convex_measure_face(c, (paradt_index)plane, origin, &face,
+                                        (clipping->wants & PARADT_VORONOI_NORMALS) != 0);
             if (clipping->wants & PARADT_VORONOI_AREAS) list->areas[at] = face.measure;
             for (j = 0; j < d && clipping->wants & PARADT_VORONOI_NORMALS; j++) {
                 list->normals[(size_t)at * d + j] = h->normal[j] * unit / length;
@@ -31442,7 +31474,7 @@ static paradt_status paradt__clip_point(paradt__clipper *clipper) {
     clipping->unbounded[p] = (unsigned char)(!c->empty && c->unbounded);
     if (clipping->tally.sums) {
         double *to = paradt__tally_of(&clipping->tally, p);
-        if (!c->empty && !c->unbounded) status = paradt__convex_measure(c, &sums);
+        if (!c->empty && !c->unbounded) status = paradt__convex_measure(c, &sums, clipping->tally.width > 2);
         to[0] = sums.volume;
         to[1] = sums.error;
         for (j = 0; j < clipping->tally.width - 2; j++) to[2 + j] = sums.moment[j];
