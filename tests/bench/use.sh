@@ -8,6 +8,9 @@
 #   USE_COUNT=K            operations in a run; by default a fortieth of the points: each is removed or moved once at most
 #   USE_ROUNDS=R           runs of each; 3 by default
 #   USE_FLAGS="..."        flags for the library, as -DPARADT_NO_VORONOI
+#   MALLOC_MMAP_MAX_=0 MALLOC_TRIM_THRESHOLD_=8000000000
+#                          of glibc: all programs keep the pages that they have had, so that what a page costs on a
+#                          host that has to provide each anew is not measured; the first round then has them yet to get
 N=${1:-1000000}
 DIM=${2:-3}
 COUNT=${USE_COUNT:-$((N / 40))}
