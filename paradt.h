@@ -1657,7 +1657,7 @@ PARADT_DEF double paradt_volume(int dim, const double *const *points /* [dim + 1
 //     making a living set          256   the set anew
 //     living set                   478   the entry
 //     reading a living set         256   cells, stars, places and what is nearest, without a change
-//     diagram                      294   what Voronoi diagrams are made of; planes, where they meet
+//     diagram                      296   what Voronoi diagrams are made of; planes, where they meet
 //     diagram order                258   points and cells in the order of space
 //     Voronoi vertices             302   centres of cells, and their errors
 //     Voronoi faces                499   faces and volumes that nothing clips
@@ -28675,9 +28675,10 @@ PARADT_DEF paradt_status paradt_dynamic_export(const paradt_dynamic *d, paradt_t
 // A flat cell's centre may be beyond all doubles, and so may what is computed of it. Such places have an error that is
 // no bound, PARADT__UNKNOWN_ERROR, and a wall that scaling has changed says so. No comparison decides of them:
 // exponents and flags are looked at first, for with -ffast-math compilers assume that nothing is infinite or NaN.
-// Doors: struct paradt__diagram, PARADT__ROW_BYTES, PARADT__OFFSET_ROUNDINGS, paradt__row_vertices, paradt__row_centre,
-// paradt__diagram_point, paradt__diagram_bounds, paradt__diagram_nearest_error, paradt__diagram_bisector,
-// paradt__diagram_wall, paradt__diagram_plane, paradt__diagram_three, paradt__diagram_meet, paradt__diagram_above.
+// Doors: struct paradt__diagram, PARADT__ROW_BYTES, PARADT__OFFSET_ROUNDINGS, PARADT__KNOWN, paradt__row_vertices,
+// paradt__row_centre, paradt__diagram_point, paradt__diagram_bounds, paradt__diagram_nearest_error,
+// paradt__diagram_bisector, paradt__diagram_wall, paradt__diagram_plane, paradt__diagram_three, paradt__diagram_meet,
+// paradt__diagram_above.
 
 // What is known of a point, bits
 enum {
@@ -28752,8 +28753,9 @@ PARADT__INLINE const double *paradt__diagram_point(const paradt__diagram *g, par
 // The error of a place of which floating point may know nothing
 #define PARADT__UNKNOWN_ERROR paradt__power(1000)
 
-// A place is known if it errs by this part of its largest coordinate at most. Otherwise it is computed from integers,
-// in 30,000 instructions. With a fourth of this, four times as many places are; the errors of volumes hardly change.
+// A place is known if it errs by this part of its largest coordinate at most; otherwise it is computed from integers,
+// in 30,000 instructions. With a fourth of this, four to five times as many would be, for volumes whose errors are
+// hardly smaller.
 #define PARADT__KNOWN (1024 * PARADT__ROUNDOFF)
 
 // Is a place's error a bound? Then its coordinates are below 2^962, so that no product of them with a plane overflows.
@@ -29838,7 +29840,7 @@ PARADT__INLINE paradt_status paradt__faces_in_space(paradt__facing *facing, para
         PARADT__UNROLL_4
         for (i = 0; i < 4; i++) {
             const unsigned clipped = g->kind[vertices[i]] & PARADT__CELL_CLIPPED;
-            inner |= paradt__ring_marks_at[i] & (clipped ? 0u : 63u);
+            inner |= clipped ? 0u : paradt__ring_marks_at[i];
         }
         todo &= inner;
         if (list) {
